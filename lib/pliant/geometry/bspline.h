@@ -1,0 +1,97 @@
+#pragma once  // lib/pliant/geometry/bspline.h: planar B-spline curves of any degree, open (clamped) and closed
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "pliant/geometry/point.h"
+
+namespace pliant {
+
+/// A B-spline curve.
+///
+/// Open:   points + degree + 1 knots, clamped (end knots of multiplicity degree + 1).
+/// Closed: m control points and m + 1 knots, one period; basis function i starts at knot i, knots continued
+///         periodically (knot(i + m) = knot(i) + period), nothing repeated; m >= degree.
+/// Interior knots have multiplicity 1..degree. A *break* is a distinct knot value; a *span* is a non-empty knot
+/// interval, counted from 0 along [first_parameter, last_parameter]. On a closed curve the breaks are those in
+/// [first, first + period), so breaks = spans; on an open one breaks = spans + 1.
+class BSpline {
+ public:
+  BSpline() = default;
+  /// Requires what `fault()` checks.
+  BSpline(int degree, bool closed, std::vector<double> knots, std::vector<Point> points);
+  /// Why these members are not a B-spline as above (in words that name the place, for example "knots/7 is less than
+  /// knots/6"); empty if they are. Also checks finiteness, counts, clamping, multiplicities.
+  static std::optional<std::string> fault(int degree, bool closed, std::span<const double> knots,
+                                          std::span<const Point> points);
+
+  int degree() const { return degree_; }
+  bool closed() const { return closed_; }
+  const std::vector<double>& knots() const { return knots_; }
+  const std::vector<Point>& points() const { return points_; }
+  /// Moves one control point (the seam of a closed curve needs nothing special: points are not repeated).
+  void set_point(int i, const Point& p) { points_[static_cast<std::size_t>(i)] = p; }
+
+  double first_parameter() const;
+  double last_parameter() const;
+  double period() const { return last_parameter() - first_parameter(); }
+  /// Knot i of the infinite (closed) or stored (open) sequence.
+  double knot(int i) const;
+
+  int span_count() const;
+  /// All breaks in ascending order: span s is [breaks[s], breaks[s + 1]]; span_count() + 1 values (closed: the last is
+  /// the first plus the period).   Complexity O(knots)
+  std::vector<double> breaks() const;
+  /// Number of the span that contains t (t at a break: the span that starts there; at the end: the last one).
+  int span_at(double t) const;
+  /// The end t1 of the span that starts at the break t0.   Complexity O(log knots)
+  double span_end(double t0) const;
+  /// The start of the span that ends at break t1 (closed: continued periodically below the first break, returned in
+  /// [first, last)).
+  double span_before(double t1) const;
+  /// Multiplicity of the break t (0 if t is no knot); closed: counted round the seam.
+  int multiplicity(double t) const;
+
+  /// Value and derivative (with respect to the parameter) by de Boor; t in [first, last]; the derivative at a break is
+  /// from the right unless `from_left`.
+  Point evaluate(double t) const;
+  Vector derivative(double t, bool from_left = false) const;
+
+  /// Bézier control points (degree + 1) of the span that starts at break t0. Open end points and values at knots of
+  /// multiplicity `degree` are copied bit for bit, and the end of one span equals the start of the next bit for bit.
+  void extract(double t0, std::span<Point> out) const;
+
+  /// Inserts t (once more): shape unchanged. Requires first < t < last or closed; multiplicity < degree after.
+  /// Complexity O(degree^2) arithmetic, O(points) moves
+  void insert_knot(double t);
+
+  /// Removes break t once; `error` is a bound of the distance between old and new curve (largest movement of a control
+  /// point in the old knots: exact bound by the partition of unity). The new control points minimise it in the
+  /// least-squares sense. Empty, curve unchanged, when refused (end of an open curve, fewer than degree points left on
+  /// a closed one).
+  std::optional<double> remove_knot(double t);
+  /// Removes break t altogether (all its multiplicity); the bound is the sum.
+  std::optional<double> remove_break(double t);
+
+  /// The Greville abscissae: mean of degree consecutive knots; one for each control point (closed: reduced to the
+  /// period).
+  std::vector<double> greville() const;
+  /// Replaces the control points so that the curve interpolates values[i] at greville()[i] (banded solve; cyclic for
+  /// closed curves). False, curve unchanged, if the system is singular.   Complexity O(points * degree^2)
+  bool interpolate(std::span<const Point> values);
+
+  /// The same curve at degree + 1 (every break's multiplicity grows by one).
+  BSpline elevated() const;
+  /// Signed area swept: half the integral of x dy - y dx, exact to rounding (for closed curves the enclosed area).
+  double area() const;
+  double arc_length() const;  ///< to 1e-12 relative on tame curves, by Gauss rules on halved spans
+
+ private:
+  int degree_ = 0;
+  bool closed_ = false;
+  std::vector<double> knots_;
+  std::vector<Point> points_;
+};
+
+}  // namespace pliant

@@ -1,0 +1,42 @@
+#pragma once  // lib/pliant/geometry/control_net.h: de Casteljau on rows of control values (position, then fields)
+#include <span>
+
+#include "pliant/geometry/net_layout.h"
+#include "pliant/geometry/point.h"
+
+// A *net* here is net_size(degree) rows of `width` doubles, row-major, rows in the order of NetLayout; a *polygon* is
+// degree + 1 rows. A row is one control value: x, y, then every carried field. Width 1 is a scalar polynomial.
+// Nothing here allocates for degree <= max_degree and width <= 16 (larger widths may).
+namespace pliant {
+
+/// The value (width doubles) of the net's polynomial at `xi`, by de Casteljau.   Complexity O(width * degree^3)
+void evaluate_net(int degree, int width, std::span<const double> net, const Barycentric& xi, std::span<double> value);
+
+/// The same, with the partial derivatives along (xi2, xi3) on the unit right triangle, xi1 = 1 - xi2 - xi3.
+void evaluate_net(int degree, int width, std::span<const double> net, const Barycentric& xi, std::span<double> value,
+                  std::span<double> along_2, std::span<double> along_3);
+
+/// The net of the same polynomial on the triangle with corners a, b, c (in barycentric coordinates of the net's own
+/// triangle), by blossoming. Where a coordinate is exactly 1 (a corner is kept) no arithmetic touches what it selects:
+/// kept corners are copied bit for bit.
+void sub_net(int degree, int width, std::span<const double> net, const Barycentric& a, const Barycentric& b,
+             const Barycentric& c, std::span<double> out);
+
+/// Splits a Bézier polygon at s in (0, 1): `left` is on [0, s], `right` on [s, 1].
+void split_polygon(int degree, int width, std::span<const double> polygon, double s, std::span<double> left,
+                   std::span<double> right);
+
+/// The value of a Bézier polygon at s.
+void evaluate_polygon(int degree, int width, std::span<const double> polygon, double s, std::span<double> value);
+
+/// Degree elevation by one.
+void elevate_net(int degree, int width, std::span<const double> net, std::span<double> out);
+void elevate_polygon(int degree, int width, std::span<const double> polygon, std::span<double> out);
+
+/// Bézier form from values at equally spaced nodes. Corners (ends) are taken over bit for bit. The net variant keeps
+/// the edges' control values as they are in `net` and only replaces the interior rows: on entry the interior rows hold
+/// values at the lattice nodes, on return control values.
+void interpolate_polygon(int degree, int width, std::span<double> polygon);
+void interpolate_interior(int degree, int width, std::span<double> net);
+
+}  // namespace pliant

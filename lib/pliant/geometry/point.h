@@ -1,0 +1,52 @@
+#pragma once  // lib/pliant/geometry/point.h: locations, vectors and barycentric coordinates of the plane
+#include <array>
+#include <cmath>
+
+namespace pliant {
+
+/// A location in the plane, or a difference of two (the same two doubles; `Vector` says which is meant).
+struct Point {
+  double x = 0;
+  double y = 0;
+  friend constexpr bool operator==(const Point&, const Point&) = default;
+  constexpr Point& operator+=(const Point& b) { return x += b.x, y += b.y, *this; }
+  constexpr Point& operator-=(const Point& b) { return x -= b.x, y -= b.y, *this; }
+  constexpr Point& operator*=(double s) { return x *= s, y *= s, *this; }
+};
+using Vector = Point;
+
+constexpr Point operator+(const Point& a, const Point& b) { return {a.x + b.x, a.y + b.y}; }
+constexpr Point operator-(const Point& a, const Point& b) { return {a.x - b.x, a.y - b.y}; }
+constexpr Point operator-(const Point& a) { return {-a.x, -a.y}; }
+constexpr Point operator*(double s, const Point& a) { return {s * a.x, s * a.y}; }
+constexpr Point operator*(const Point& a, double s) { return {s * a.x, s * a.y}; }
+constexpr Point operator/(const Point& a, double s) { return {a.x / s, a.y / s}; }
+constexpr double dot(const Vector& a, const Vector& b) { return a.x * b.x + a.y * b.y; }
+constexpr double cross(const Vector& a, const Vector& b) { return a.x * b.y - a.y * b.x; }
+constexpr double squared_length(const Vector& a) { return dot(a, a); }
+inline double length(const Vector& a) { return std::hypot(a.x, a.y); }
+inline double distance(const Point& a, const Point& b) { return length(b - a); }
+inline bool is_finite(const Point& a) { return std::isfinite(a.x) && std::isfinite(a.y); }
+/// The vector turned by a quarter counter-clockwise.
+constexpr Vector perpendicular(const Vector& a) { return {-a.y, a.x}; }
+
+/// Barycentric coordinates (xi1, xi2, xi3) of a triangle; they sum to 1.
+using Barycentric = std::array<double, 3>;
+
+/// An axis-parallel box; empty until it is extended.
+struct Box {
+  Point low{HUGE_VAL, HUGE_VAL};
+  Point high{-HUGE_VAL, -HUGE_VAL};
+  void extend(const Point& p) {
+    low = {std::fmin(low.x, p.x), std::fmin(low.y, p.y)};
+    high = {std::fmax(high.x, p.x), std::fmax(high.y, p.y)};
+  }
+  bool contains(const Point& p) const { return low.x <= p.x && p.x <= high.x && low.y <= p.y && p.y <= high.y; }
+  bool overlaps(const Box& b) const {
+    return low.x <= b.high.x && b.low.x <= high.x && low.y <= b.high.y && b.low.y <= high.y;
+  }
+  /// The diagonal; 0 for an empty box. Of all control points it is the *size* of a mesh.
+  double size() const { return low.x <= high.x ? distance(low, high) : 0; }
+};
+
+}  // namespace pliant
