@@ -1,0 +1,57 @@
+#pragma once  // lib/pliant/boundary/boundary_complex.h: the input of a simulation: vertices, B-spline curves, faces
+              // (paper §7)
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "pliant/geometry/bspline.h"
+#include "pliant/geometry/point.h"
+
+namespace pliant {
+
+/// Members of a document object that Pliant does not know: name and raw JSON text of the value, in their order. They
+/// are kept and written back.
+using ExtraMembers = std::vector<std::pair<std::string, std::string>>;
+
+inline constexpr int outside = -1;    ///< in place of a face
+inline constexpr int no_vertex = -1;  ///< start and end of a closed curve
+
+/// A region of the plane with a name.
+struct Face {
+  std::string name;
+  ExtraMembers extra;
+};
+
+/// A B-spline with what it separates. An open curve runs from vertex `start` to vertex `end`, whose positions equal its
+/// end control points bit for bit.
+struct Curve {
+  std::string name;
+  BSpline spline;
+  int start = no_vertex;
+  int end = no_vertex;
+  int left = outside;        ///< face on the left, going along the curve
+  int right = outside;       ///< face on the right
+  double removal_error = 0;  ///< accumulated bound of what knot removal has changed (length)
+  ExtraMembers extra;
+};
+
+/// Vertices, curves and faces; also the geometry that every mesh carries along.
+struct BoundaryComplex {
+  std::vector<Point> vertices;
+  std::vector<Face> faces;
+  std::vector<Curve> curves;
+  std::vector<int> cusps;  ///< vertices where two curves leave with tangent angle 0
+  ExtraMembers extra;
+};
+
+/// Index of the face of that name, or `outside`.
+int find_face(const BoundaryComplex& boundary, const std::string& name);
+
+/// Raises every curve to `degree` (its knots' multiplicities grow accordingly; shapes unchanged).
+/// Requires no curve of a higher degree.
+void elevate_curves(BoundaryComplex& boundary, int degree);
+
+/// The box of all control points and vertices.
+Box bounding_box(const BoundaryComplex& boundary);
+
+}  // namespace pliant

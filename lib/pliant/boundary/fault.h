@@ -1,0 +1,24 @@
+#pragma once  // lib/pliant/boundary/fault.h: one breach of an invariant, in words
+#include <stdexcept>
+#include <string>
+
+namespace pliant {
+
+/// A breach of an invariant of the boundary complex or of the mesh.
+struct Fault {
+  std::string invariant;  ///< "M1" .. "M6", "boundary", "document"
+  std::string place;      ///< a JSON pointer into the document, for example "/triangles/42"
+  std::string text;       ///< what is wrong, and what would be right
+};
+
+/// Bad input: thrown by the readers with the place in the document. `tools` turns it into status 3.
+class InputError : public std::runtime_error {
+ public:
+  InputError(std::string pointer, const std::string& text) : std::runtime_error(text), pointer_(std::move(pointer)) {}
+  const std::string& pointer() const { return pointer_; }
+
+ private:
+  std::string pointer_;
+};
+
+}  // namespace pliant

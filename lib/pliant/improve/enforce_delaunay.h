@@ -1,0 +1,17 @@
+#pragma once  // lib/pliant/improve/enforce_delaunay.h: flips until the logical mesh is Delaunay (paper §5.3.1)
+#include "pliant/mesh/mesh.h"
+#include "pliant/mesh/pass_report.h"
+#include "pliant/ops/outcome.h"
+
+namespace pliant {
+
+struct DelaunayOptions {
+  long max_flips = -1;  ///< negative: no limit (it terminates)
+  RefitOptions refit;
+};
+
+/// Flips unconstrained edges until every one is locally Delaunay in the logical mesh (exact in-circle), or its flip was
+/// refused. Edges whose old or new logical triangles are not all positive are left alone and counted.
+PassReport enforce_delaunay(Mesh& mesh, const DelaunayOptions& options = {});
+
+}  // namespace pliant

@@ -1,0 +1,191 @@
+#pragma once  // lib/pliant/mesh/mesh.h: the one mesh: shared control points by index, adjacency, constrained edges,
+              // fields
+#include <cassert>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "pliant/geometry/net_layout.h"
+#include "pliant/mesh/mesh_data.h"
+
+namespace pliant {
+
+/// A curved mesh that satisfies M1, M2, M4, M5 and M6 between operations.
+///
+/// Triangles and points live in *slots*; an operation may free slots (`is_alive`) and reuse them. `compact` renumbers
+/// in order, drops the free slots and derives the adjacency anew, exactly as a reader of the written document would:
+/// every pass ends with it, so a pipe of processes equals one process.
+///
+/// Inside a Transaction every change is recorded and can be undone bit for bit.
+class Mesh {
+ public:
+  Mesh() = default;
+  /// Requires check_structure(data) to be empty. Complexity O(data).
+  explicit Mesh(MeshData data);
+  /// The document of this mesh; slots are renumbered in order. Complexity O(mesh).
+  MeshData to_data() const;
+  void compact();
+
+  // -- sizes
+  int degree() const { return degree_; }
+  int net_size() const { return net_size_; }
+  TriangleId triangle_slots() const { return static_cast<TriangleId>(faces_.size()); }
+  PointId point_slots() const { return static_cast<PointId>(points_.size()); }
+  int triangle_count() const { return triangle_count_; }
+  bool is_alive(TriangleId t) const { return faces_[at(t)] >= 0; }
+
+  // -- topology
+  std::span<const PointId> net(TriangleId t) const { return {nets_.data() + at(t) * at(net_size_), at(net_size_)}; }
+  PointId corner(TriangleId t, int c) const { return nets_[at(t) * at(net_size_) + at(c)]; }
+  PointId origin(HalfEdgeId h) const { return corner(triangle_of(h), edge_of(h)); }
+  PointId target(HalfEdgeId h) const { return origin(next(h)); }
+  PointId apex(HalfEdgeId h) const { return origin(previous(h)); }
+  /// The k-th control point (0..degree) along the half-edge.
+  PointId edge_point(HalfEdgeId h, int k) const { return net(triangle_of(h))[at(layout_->edge_index(edge_of(h), k))]; }
+  HalfEdgeId twin(HalfEdgeId h) const { return twins_[at(h)]; }
+  ConstraintId constraint(HalfEdgeId h) const { return constraints_[at(h)]; }
+  bool is_constrained(HalfEdgeId h) const { return constraints_[at(h)] != none; }
+  FaceId face(TriangleId t) const { return faces_[at(t)]; }
+  /// One half-edge that leaves vertex v; none if the point is not a vertex.
+  HalfEdgeId vertex_half_edge(PointId v) const { return vertex_half_edges_[at(v)]; }
+  bool is_vertex(PointId v) const { return vertex_half_edges_[at(v)] != none; }
+  const NetLayout& layout() const { return *layout_; }
+
+  // -- constrained edges: a half-edge's constraint names the curve, the start of the span, and its first vertex
+  CurveId constraint_curve(ConstraintId c) const { return constraint_curves_[at(c)]; }
+  double constraint_start(ConstraintId c) const { return constraint_starts_[at(c)]; }
+  PointId constraint_first(ConstraintId c) const { return constraint_firsts_[at(c)]; }
+  /// True if the half-edge runs in the curve's direction.
+  bool runs_forward(HalfEdgeId h) const { return origin(h) == constraint_first(constraint(h)); }
+  const BoundaryComplex& boundary() const { return boundary_; }
+  const BSpline& spline(CurveId c) const { return boundary_.curves[at(c)].spline; }
+
+  // -- control values: a row is x, y, then every component of every field
+  const Point& point(PointId p) const { return points_[at(p)]; }
+  int width() const { return width_; }
+  const std::vector<Field>& fields() const { return fields_; }
+  /// The net's rows: net_size x width.
+  void gather(TriangleId t, std::span<double> rows) const;
+  void gather_points(TriangleId t, std::span<Point> points) const;
+  void gather_edge_points(HalfEdgeId h, std::span<Point> points) const;
+  /// The row of one control point as seen from a face (fields by face differ between faces).
+  void gather_row(PointId p, FaceId f, std::span<double> row) const;
+  /// Index of the first component in `fields()[field].values`; none where a field by face has no value there.
+  std::ptrdiff_t value_index(int field, PointId p, FaceId f) const;
+
+  // -- the rest of the document
+  double time = 0;
+  Criteria criteria;
+  ExtraMembers extra;
+  Box box() const;  ///< of all control points
+  /// The diagonal of box() when the mesh was made (as read): tolerances are relative to it.
+  double size() const { return size_; }
+
+  // -- changes; recorded inside a Transaction
+  void set_point(PointId p, const Point& position);
+  /// Position and fields of one control point, seen from one face. A missing place of a field by face is made.
+  void put_row(PointId p, FaceId f, std::span<const double> row);
+  /// Only the fields (columns 2..) of the row.
+  void put_fields(PointId p, FaceId f, std::span<const double> row);
+  PointId add_point();
+  void free_point(PointId p);
+  /// A triangle of face f with an unset net and no neighbours.
+  TriangleId add_triangle(FaceId f);
+  void free_triangle(TriangleId t);
+  void set_net_point(TriangleId t, int index, PointId p);
+  void link(HalfEdgeId h, HalfEdgeId g);  ///< twins; either may be none
+  void set_constraint(HalfEdgeId h, ConstraintId c);
+  ConstraintId add_constraint(CurveId curve, double start, PointId first);
+  void set_constraint_record(ConstraintId c, CurveId curve, double start, PointId first);
+  void free_constraint(ConstraintId c);
+  void set_vertex_half_edge(PointId v, HalfEdgeId h);
+  void set_spline(CurveId c, BSpline spline, double removal_error);
+  /// Drops places of by-face fields that name a face no longer around the point.
+  void drop_place(PointId p, FaceId f);
+
+  /// Replaces or adds a field (not recorded: for tools and passes that own the mesh). Sizes must fit.
+  void set_field(Field field);
+  /// Positions of all control points at once (motion); not recorded.
+  void set_points(std::vector<Point> points);
+  void set_boundary_motion(CurveId c, BSpline spline);
+  void set_boundary_vertex(int v, const Point& p) { boundary_.vertices[at(v)] = p; }
+
+ private:
+  friend class Transaction;
+  enum class Log : std::uint32_t;
+  struct LogEntry {
+    Log what;
+    std::uint32_t index;
+    std::uint64_t bits;
+  };
+  struct SplineBackup {
+    CurveId curve;
+    BSpline spline;
+    double removal_error;
+  };
+  template <class I>
+  static constexpr std::size_t at(I i) {
+    return static_cast<std::size_t>(i);
+  }
+  static std::uint64_t place_key(PointId p, FaceId f) {
+    return (static_cast<std::uint64_t>(static_cast<std::uint32_t>(p)) << 32) | static_cast<std::uint32_t>(f);
+  }
+  void connect();
+  void log(Log what, std::size_t index, std::uint64_t bits) {
+    if (recording_ > 0) log_.push_back({what, static_cast<std::uint32_t>(index), bits});
+  }
+  void put_int(Log what, std::vector<std::int32_t>& array, std::size_t i, std::int32_t value);
+  void put_value(std::size_t field, std::size_t i, double value);
+  void undo(std::size_t mark);
+  std::int32_t make_place(PointId p, FaceId f);
+
+  int degree_ = 2;
+  int net_size_ = 6;
+  int width_ = 2;
+  double size_ = 0;
+  int triangle_count_ = 0;
+  const NetLayout* layout_ = &NetLayout::of(2);
+  std::vector<Point> points_;
+  std::vector<PointId> nets_;
+  std::vector<FaceId> faces_;  // none: a free slot
+  std::vector<HalfEdgeId> twins_;
+  std::vector<ConstraintId> constraints_;
+  std::vector<HalfEdgeId> vertex_half_edges_;  // unused_point: a free slot
+  std::vector<CurveId> constraint_curves_;     // none: a free slot
+  std::vector<PointId> constraint_firsts_;
+  std::vector<double> constraint_starts_;
+  std::vector<Field> fields_;
+  std::unordered_map<std::uint64_t, std::int32_t> places_;  // of fields by face: (point, face) -> place
+  std::vector<std::int32_t> free_places_;
+  std::int32_t place_count_ = 0;
+  bool has_by_face_ = false;
+  BoundaryComplex boundary_;
+  std::vector<std::int32_t> free_triangles_, free_points_, free_constraints_;
+  std::vector<LogEntry> log_;
+  std::vector<SplineBackup> spline_log_;
+  int recording_ = 0;
+  bool changed_ = false;
+};
+
+/// All changes of a mesh between construction and `commit`; without commit, or after `roll_back`, the mesh is bit for
+/// bit as it was. Transactions nest: an inner one may be rolled back alone.
+class Transaction {
+ public:
+  explicit Transaction(Mesh& mesh) : mesh_(mesh), mark_(mesh.log_.size()) { ++mesh_.recording_; }
+  ~Transaction() {
+    if (open_) roll_back();
+  }
+  Transaction(const Transaction&) = delete;
+  Transaction& operator=(const Transaction&) = delete;
+  void commit();
+  void roll_back();
+
+ private:
+  Mesh& mesh_;
+  std::size_t mark_;
+  bool open_ = true;
+};
+
+}  // namespace pliant

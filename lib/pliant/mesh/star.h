@@ -1,0 +1,25 @@
+#pragma once  // lib/pliant/mesh/star.h: the triangles around a vertex, and its link
+#include <vector>
+
+#include "pliant/mesh/mesh.h"
+
+namespace pliant {
+
+/// The half-edges that leave a vertex, counter-clockwise; of an inner vertex they go all the way round.
+struct Star {
+  std::vector<HalfEdgeId> outgoing;  ///< triangle_of each is a triangle of the star, in order
+  bool is_closed = false;            ///< the vertex is not on the outer boundary
+
+  int degree() const { return static_cast<int>(outgoing.size()); }
+};
+
+/// Fills `star` (its memory is reused).   Complexity O(degree)
+void find_star(const Mesh& mesh, PointId v, Star& star);
+
+/// The half-edge from a to b, or none.
+HalfEdgeId find_half_edge(const Mesh& mesh, PointId a, PointId b);
+
+/// True if some edge at v lies on a curve.
+bool is_on_curve(const Mesh& mesh, const Star& star);
+
+}  // namespace pliant

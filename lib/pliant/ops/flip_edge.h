@@ -1,0 +1,11 @@
+#pragma once  // lib/pliant/ops/flip_edge.h: the other diagonal of two triangles (paper §5.2.3)
+#include "pliant/mesh/mesh.h"
+#include "pliant/ops/outcome.h"
+
+namespace pliant {
+
+/// Flips the edge of half-edge h: topology, then geometry by the displacement projection (or optimal placement), then
+/// fields. On success h is a half-edge of the new edge. Refuses as `Refusal` says.
+Refusal flip_edge(Mesh& mesh, HalfEdgeId h, const RefitOptions& options = {});
+
+}  // namespace pliant

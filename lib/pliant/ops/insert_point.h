@@ -1,0 +1,21 @@
+#pragma once  // lib/pliant/ops/insert_point.h: one triangle to three (paper §5.2.1)
+#include "pliant/mesh/mesh.h"
+#include "pliant/ops/outcome.h"
+
+namespace pliant {
+
+struct InsertResult {
+  Refusal refusal = Refusal::none;
+  PointId vertex = none;
+};
+
+/// Subdivides the triangle at xi (de Casteljau): geometry and fields unchanged. Where a coordinate of xi is below
+/// `edge_tolerance` that edge is split instead (2→4 or 1→2; on a curve: knot insertion).
+/// The new vertex's triangles are the slot of `t` and new ones.
+InsertResult insert_point(Mesh& mesh, TriangleId t, const Barycentric& xi, double edge_tolerance = 1e-6);
+
+/// Splits an edge at s in (0, 1) along the half-edge; on a curve at the knot that this is, which is inserted.
+/// Geometry and fields unchanged.
+InsertResult split_edge(Mesh& mesh, HalfEdgeId h, double s);
+
+}  // namespace pliant

@@ -1,0 +1,28 @@
+#pragma once  // lib/pliant/ops/outcome.h: what an operation says when it refuses
+namespace pliant {
+
+/// The closed list of reasons. After any of them but `none` the mesh is bit for bit as it was.
+enum class Refusal {
+  none,               ///< done
+  outer_boundary,     ///< the edge has one triangle
+  constrained,        ///< the edge lies on a curve
+  corner,             ///< the vertex ends a curve, or several curves meet there
+  not_convex,         ///< the logical quadrilateral is not strictly convex
+  edge_exists,        ///< the new edge would join two vertices that an edge joins already
+  covers_corner,      ///< the new triangle would cover a smooth or reflex corner of the boundary
+  would_invert,       ///< no valid place for the new control points
+  not_removable,      ///< the star cannot be reduced, or the curve is at its minimum
+  exceeds_tolerance,  ///< knot removal would move the curve too far
+  outside             ///< the point is not in the domain
+};
+/// The reason in a few words, for reports.
+const char* describe(Refusal refusal);
+
+/// How carried fields are fitted after a flip or a removal.
+enum class Projection { l2, conservative, limited };
+
+struct RefitOptions {
+  Projection projection = Projection::limited;
+};
+
+}  // namespace pliant
