@@ -8,6 +8,8 @@
 
 namespace pliant {
 
+inline constexpr int max_curve_degree = 16;  ///< of a B-spline
+
 /// A B-spline curve.
 ///
 /// Open:   points + degree + 1 knots, clamped (end knots of multiplicity degree + 1).
@@ -69,9 +71,10 @@ class BSpline {
   /// Removes break t once; `error` is a bound of the distance between old and new curve (largest movement of a control
   /// point in the old knots: exact bound by the partition of unity). The new control points minimise it in the
   /// least-squares sense. Empty, curve unchanged, when refused (end of an open curve, fewer than degree points left on
-  /// a closed one).
+  /// a closed one, no knot at t). Only degree - multiplicity control points change. When the first break of a closed
+  /// curve loses its last knot, the next break becomes the first one (the period stays).
   std::optional<double> remove_knot(double t);
-  /// Removes break t altogether (all its multiplicity); the bound is the sum.
+  /// Removes break t altogether (all its multiplicity); the bound is the sum. Refuses as above, curve unchanged.
   std::optional<double> remove_break(double t);
 
   /// The Greville abscissae: mean of degree consecutive knots; one for each control point (closed: reduced to the
@@ -88,6 +91,15 @@ class BSpline {
   double arc_length() const;  ///< to 1e-12 relative on tame curves, by Gauss rules on halved spans
 
  private:
+  /// Control point i, periodically continued on a closed curve.
+  const Point& point(int i) const;
+  /// The greatest i (stored; open: below the last non-empty span's end) with knot(i) <= t.
+  int interval(double t) const;
+  /// Greville abscissa i, on a closed curve not reduced to the period: between knots i + 1 and i + degree.
+  double unreduced_greville(int i) const;
+  /// The blossom at `degree` ascending arguments that contain every knot strictly between their ends.
+  Point blossom(std::span<const double> arguments) const;
+
   int degree_ = 0;
   bool closed_ = false;
   std::vector<double> knots_;
