@@ -50,7 +50,8 @@ class Mesh {
   FaceId face(TriangleId t) const { return faces_[at(t)]; }
   /// One half-edge that leaves vertex v; none if the point is not a vertex.
   HalfEdgeId vertex_half_edge(PointId v) const { return vertex_half_edges_[at(v)]; }
-  bool is_vertex(PointId v) const { return vertex_half_edges_[at(v)] != none; }
+  bool is_vertex(PointId v) const { return vertex_half_edges_[at(v)] >= 0; }
+  bool is_point_alive(PointId p) const { return vertex_half_edges_[at(p)] != free_slot; }
   const NetLayout& layout() const { return *layout_; }
 
   // -- constrained edges: a half-edge's constraint names the curve, the start of the span, and its first vertex
@@ -114,6 +115,7 @@ class Mesh {
 
  private:
   friend class Transaction;
+  static constexpr std::int32_t free_slot = -2;
   enum class Log : std::uint32_t;
   struct LogEntry {
     Log what;
@@ -132,7 +134,7 @@ class Mesh {
   static std::uint64_t place_key(PointId p, FaceId f) {
     return (static_cast<std::uint64_t>(static_cast<std::uint32_t>(p)) << 32) | static_cast<std::uint32_t>(f);
   }
-  void connect();
+  void connect(const std::vector<ConstrainedEdge>& constrained);
   void log(Log what, std::size_t index, std::uint64_t bits) {
     if (recording_ > 0) log_.push_back({what, static_cast<std::uint32_t>(index), bits});
   }
@@ -152,7 +154,7 @@ class Mesh {
   std::vector<FaceId> faces_;  // none: a free slot
   std::vector<HalfEdgeId> twins_;
   std::vector<ConstraintId> constraints_;
-  std::vector<HalfEdgeId> vertex_half_edges_;  // unused_point: a free slot
+  std::vector<HalfEdgeId> vertex_half_edges_;  // free_slot where the point is free
   std::vector<CurveId> constraint_curves_;     // none: a free slot
   std::vector<PointId> constraint_firsts_;
   std::vector<double> constraint_starts_;

@@ -1,0 +1,264 @@
+// The structural invariants M1, M2, M4, M5, M6 of a document, from its arrays alone: independent of class Mesh.
+#include <algorithm>
+#include <map>
+#include <numeric>
+#include <string>
+
+#include "pliant/boundary/check_boundary.h"
+#include "pliant/mesh/check_mesh.h"
+
+namespace pliant {
+namespace {
+
+template <class I>
+std::size_t at(I i) {
+  return static_cast<std::size_t>(i);
+}
+
+class Checker {
+ public:
+  Checker(const MeshData& data, int limit)
+      : data_(data),
+        limit_(limit),
+        layout_(NetLayout::of(data.degree)),
+        n_(at(layout_.size())),
+        triangles_(static_cast<TriangleId>(data.triangle_faces.size())) {}
+
+  std::vector<Fault> run() {
+    for (Fault fault : check_boundary(data_.boundary)) {
+      fault.place = "/boundary" + fault.place;
+      faults_.push_back(std::move(fault));
+    }
+    find_edges();
+    check_point_uses();
+    check_stars();
+    check_curves();
+    check_faces();
+    check_fields();
+    return std::move(faults_);
+  }
+
+ private:
+  void fault(const char* invariant, std::string place, std::string text) {
+    if (++counts_[invariant] <= limit_) faults_.push_back({invariant, std::move(place), std::move(text)});
+  }
+  std::string place_of(TriangleId t) const { return "/triangles/" + std::to_string(at(t) * n_); }
+  PointId entry(TriangleId t, int index) const { return data_.triangles[at(t) * n_ + at(index)]; }
+  PointId corner(TriangleId t, int c) const { return entry(t, c); }
+  PointId edge_point(HalfEdgeId h, int k) const { return entry(triangle_of(h), layout_.edge_index(edge_of(h), k)); }
+  PointId origin(HalfEdgeId h) const { return corner(triangle_of(h), edge_of(h)); }
+  PointId target(HalfEdgeId h) const { return origin(next(h)); }
+  std::string edge_text(HalfEdgeId h) const {
+    return "the edge of points " + std::to_string(origin(h)) + " and " + std::to_string(target(h)) + " (triangle " +
+           std::to_string(triangle_of(h)) + ")";
+  }
+
+  /// Half-edges by origin; twins; M1 for shared edges, M2 for edges with too many triangles.
+  void find_edges() {
+    const HalfEdgeId half_edges = 3 * triangles_;
+    first_.assign(data_.points.size() + 1, 0);
+    for (HalfEdgeId h = 0; h < half_edges; ++h) ++first_[at(origin(h)) + 1];
+    std::partial_sum(first_.begin(), first_.end(), first_.begin());
+    leaving_.resize(at(half_edges));
+    std::vector<std::int32_t> fill(first_.begin(), first_.end() - 1);
+    for (HalfEdgeId h = 0; h < half_edges; ++h) leaving_[at(fill[at(origin(h))]++)] = h;
+    twins_.assign(at(half_edges), none);
+    for (HalfEdgeId h = 0; h < half_edges; ++h) {
+      if (origin(h) == target(h)) {
+        fault("M2", place_of(triangle_of(h)), "two corners are the same point");
+        continue;
+      }
+      if (find(origin(h), target(h)) != h)
+        fault("M2", place_of(triangle_of(h)), edge_text(h) + " has another triangle on the same side");
+      const HalfEdgeId g = find(target(h), origin(h));
+      twins_[at(h)] = g;
+      if (g == none || g < h) continue;
+      for (int k = 0; k <= data_.degree; ++k)
+        if (edge_point(h, k) != edge_point(g, data_.degree - k)) {
+          fault("M1", place_of(triangle_of(h)),
+                edge_text(h) + " has other control points in triangle " + std::to_string(triangle_of(g)));
+          break;
+        }
+    }
+  }
+  HalfEdgeId find(PointId from, PointId to) const {
+    for (std::int32_t k = first_[at(from)]; k < first_[at(from) + 1]; ++k)
+      if (target(leaving_[at(k)]) == to) return leaving_[at(k)];
+    return none;
+  }
+
+  /// Every point is a corner, or inside one edge, or inside one triangle.
+  void check_point_uses() {
+    std::vector<std::int64_t> use(data_.points.size(), -1);  // corner: 0; edge: 1 + half-edge; interior: -2 - triangle
+    for (TriangleId t = 0; t < triangles_; ++t)
+      for (int k = 0; k < layout_.size(); ++k) {
+        const PointId p = entry(t, k);
+        std::int64_t now = 0;
+        if (k >= 3 && k < layout_.first_interior()) {
+          const HalfEdgeId h = half_edge(t, (k - 3) / (data_.degree - 1)), g = twins_[at(h)];
+          now = 1 + static_cast<std::int64_t>(g != none && g < h ? g : h);
+        } else if (k >= 3) {
+          now = -2 - static_cast<std::int64_t>(t);
+        }
+        if (use[at(p)] == -1) {
+          use[at(p)] = now;
+        } else if (use[at(p)] != now || now < -1) {
+          fault("M1", "/triangles/" + std::to_string(at(t) * n_ + at(k)),
+                "point " + std::to_string(p) + " is used in two places that are not the same corner or edge");
+        }
+      }
+    for (std::size_t p = 0; p < use.size(); ++p)
+      if (use[p] == -1) fault("M1", "/points/" + std::to_string(2 * p), "point " + std::to_string(p) + " is not used");
+  }
+
+  /// M2: around each vertex one disk, or half-disks.
+  void check_stars() {
+    for (std::size_t v = 0; v + 1 < first_.size(); ++v) {
+      const int all = first_[v + 1] - first_[v];
+      if (all == 0) continue;
+      int open_fans = 0, in_open = 0;
+      for (std::int32_t k = first_[v]; k < first_[v + 1]; ++k) {
+        if (twins_[at(leaving_[at(k)])] != none) continue;
+        ++open_fans;
+        for (HalfEdgeId h = leaving_[at(k)]; h != none && in_open <= all; h = twins_[at(previous(h))]) ++in_open;
+      }
+      const std::string place = "/points/" + std::to_string(2 * v);
+      if (open_fans > 0) {
+        if (in_open != all)
+          fault("M2", place, "the triangles around point " + std::to_string(v) + " are no half-disks");
+        continue;
+      }
+      int turned = 0;
+      HalfEdgeId h = leaving_[at(first_[v])];
+      const HalfEdgeId start = h;
+      do {
+        ++turned;
+        h = twins_[at(previous(h))];
+      } while (h != none && h != start && turned <= all);
+      if (turned != all) fault("M2", place, "the triangles around point " + std::to_string(v) + " are not one disk");
+    }
+  }
+
+  /// M4: constrained edges are the spans of their curves.
+  void check_curves() {
+    Box box;
+    for (const Point& p : data_.points) box.extend(p);
+    const double tolerance = 1e-12 * box.size();
+    constrained_.assign(twins_.size(), none);
+    std::vector<std::vector<double>> breaks;
+    std::vector<std::vector<char>> covered;
+    for (std::size_t c = 0; c < data_.boundary.curves.size(); ++c) {
+      const BSpline& spline = data_.boundary.curves[c].spline;
+      breaks.push_back(spline.breaks());
+      covered.emplace_back(at(spline.span_count()), 0);
+      if (spline.degree() != data_.degree)
+        fault("M4", "/boundary/curves/" + std::to_string(c) + "/degree",
+              "is " + std::to_string(spline.degree()) + "; the mesh has degree " + std::to_string(data_.degree));
+    }
+    std::vector<Point> wanted(at(data_.degree) + 1);
+    for (std::size_t k = 0; k < data_.constrained_edges.size(); ++k) {
+      const ConstrainedEdge& edge = data_.constrained_edges[k];
+      const std::string place = "/constrained_edges/" + std::to_string(k);
+      const HalfEdgeId forward = find(edge.points.front(), edge.points.back());
+      const HalfEdgeId backward = find(edge.points.back(), edge.points.front());
+      if (forward == none && backward == none) {
+        fault("M4", place + "/points", "is no edge of a triangle");
+        continue;
+      }
+      for (const HalfEdgeId h : {forward, backward})
+        if (h != none) {
+          if (constrained_[at(h)] != none) fault("M4", place, "this edge is listed twice");
+          constrained_[at(h)] = static_cast<std::int32_t>(k);
+        }
+      for (int i = 0; i <= data_.degree; ++i) {
+        const PointId p = forward != none ? edge_point(forward, i) : edge_point(backward, data_.degree - i);
+        if (p != edge.points[at(i)]) {
+          fault("M4", place + "/points/" + std::to_string(i), "differs from the triangle's control point");
+          break;
+        }
+      }
+      if (covered[at(edge.curve)][at(edge.span)]++)
+        fault("M4", place + "/span", "this span of the curve has an edge already");
+      const BSpline& spline = data_.boundary.curves[at(edge.curve)].spline;
+      if (spline.degree() != data_.degree) continue;
+      spline.extract(breaks[at(edge.curve)][at(edge.span)], wanted);
+      for (int i = 0; i <= data_.degree; ++i) {
+        const double off = distance(wanted[at(i)], data_.points[at(edge.points[at(i)])]);
+        if (!(off <= tolerance)) {
+          fault("M4", "/points/" + std::to_string(2 * edge.points[at(i)]),
+                "is " + std::to_string(off) + " away from where span " + std::to_string(edge.span) + " of curve " +
+                    std::to_string(edge.curve) + " has it");
+          break;
+        }
+      }
+    }
+    for (std::size_t c = 0; c < covered.size(); ++c)
+      for (std::size_t s = 0; s < covered[c].size(); ++s)
+        if (!covered[c][s])
+          fault("M4", "/boundary/curves/" + std::to_string(c),
+                "span " + std::to_string(s) + " has no constrained edge");
+  }
+
+  /// M5: constrained edges separate faces, nothing else does.
+  void check_faces() {
+    for (HalfEdgeId h = 0; h < 3 * triangles_; ++h) {
+      const HalfEdgeId g = twins_[at(h)];
+      const FaceId mine = data_.triangle_faces[at(triangle_of(h))];
+      const FaceId other = g == none ? outside : data_.triangle_faces[at(triangle_of(g))];
+      const std::int32_t k = constrained_[at(h)];
+      if (k == none) {
+        if (mine != other)
+          fault("M5", place_of(triangle_of(h)),
+                edge_text(h) + (g == none ? " is on the outer boundary but on no curve"
+                                          : " separates two faces but is on no curve"));
+        continue;
+      }
+      const ConstrainedEdge& edge = data_.constrained_edges[at(k)];
+      const Curve& curve = data_.boundary.curves[at(edge.curve)];
+      const bool forward = origin(h) == edge.points.front();
+      if ((forward ? curve.left : curve.right) != mine)
+        fault("M5", "/triangle_faces/" + std::to_string(triangle_of(h)),
+              "differs from the face that curve " + std::to_string(edge.curve) + " names on its " +
+                  (forward ? "left" : "right"));
+      if (g == none && (forward ? curve.right : curve.left) != outside)
+        fault("M5", place_of(triangle_of(h)), edge_text(h) + " has no triangle on the other side of its curve");
+    }
+  }
+
+  /// M6: fields by face have one value per control point and face around it.
+  void check_fields() {
+    std::vector<std::array<std::int32_t, 2>> wanted;
+    for (std::size_t k = 0; k < data_.fields.size(); ++k) {
+      const Field& field = data_.fields[k];
+      const std::string place = "/fields/" + std::to_string(k);
+      for (std::size_t other = 0; other < k; ++other)
+        if (data_.fields[other].name == field.name)
+          fault("M6", place + "/name", "there is a field of this name already");
+      if (!field.by_face) continue;
+      if (wanted.empty()) {
+        for (TriangleId t = 0; t < triangles_; ++t)
+          for (int i = 0; i < layout_.size(); ++i) wanted.push_back({entry(t, i), data_.triangle_faces[at(t)]});
+        std::sort(wanted.begin(), wanted.end());
+        wanted.erase(std::unique(wanted.begin(), wanted.end()), wanted.end());
+      }
+      if (field.places != wanted)
+        fault("M6", place + "/places", "is not the sorted list of every control point with each face around it");
+    }
+  }
+
+  const MeshData& data_;
+  int limit_;
+  const NetLayout& layout_;
+  std::size_t n_;
+  TriangleId triangles_;
+  std::vector<Fault> faults_;
+  std::map<std::string, int> counts_;
+  std::vector<std::int32_t> first_, constrained_;
+  std::vector<HalfEdgeId> leaving_, twins_;
+};
+
+}  // namespace
+
+std::vector<Fault> check_structure(const MeshData& data, int limit) { return Checker(data, limit).run(); }
+
+}  // namespace pliant

@@ -1,0 +1,387 @@
+#include "pliant/mesh/mesh.h"
+
+#include <algorithm>
+#include <bit>
+
+namespace pliant {
+
+// value: index of the first kind for field values; field f is value + f.
+enum class Mesh::Log : std::uint32_t {
+  point_x,
+  point_y,
+  net,
+  face,
+  twin,
+  constraint,
+  vertex_half_edge,
+  constraint_curve,
+  constraint_first,
+  constraint_start,
+  grow_triangles,
+  grow_points,
+  grow_constraints,
+  grow_places,
+  pop_triangle,
+  pop_point,
+  pop_constraint,
+  pop_place,
+  push_triangle,
+  push_point,
+  push_constraint,
+  push_place,
+  insert_place,
+  erase_place,
+  spline,
+  value
+};
+
+Box Mesh::box() const {
+  Box box;
+  for (std::size_t p = 0; p < points_.size(); ++p)
+    if (vertex_half_edges_[p] != free_slot) box.extend(points_[p]);
+  return box;
+}
+
+// -- control values
+
+std::ptrdiff_t Mesh::value_index(int field, PointId p, FaceId f) const {
+  const Field& data = fields_[at(field)];
+  if (!data.by_face) return static_cast<std::ptrdiff_t>(p) * data.components;
+  const auto found = places_.find(place_key(p, f));
+  return found == places_.end() ? none : static_cast<std::ptrdiff_t>(found->second) * data.components;
+}
+
+void Mesh::gather_row(PointId p, FaceId f, std::span<double> row) const {
+  row[0] = points_[at(p)].x;
+  row[1] = points_[at(p)].y;
+  std::size_t column = 2;
+  for (std::size_t k = 0; k < fields_.size(); ++k) {
+    const std::ptrdiff_t first = value_index(static_cast<int>(k), p, f);
+    for (int c = 0; c < fields_[k].components; ++c) row[column++] = first < 0 ? 0.0 : fields_[k].values[at(first + c)];
+  }
+}
+
+void Mesh::gather(TriangleId t, std::span<double> rows) const {
+  const std::size_t width = at(width_);
+  const auto ids = net(t);
+  for (std::size_t n = 0; n < ids.size(); ++n) gather_row(ids[n], face(t), rows.subspan(n * width, width));
+}
+
+void Mesh::gather_points(TriangleId t, std::span<Point> points) const {
+  const auto ids = net(t);
+  for (std::size_t n = 0; n < ids.size(); ++n) points[n] = points_[at(ids[n])];
+}
+
+void Mesh::gather_edge_points(HalfEdgeId h, std::span<Point> points) const {
+  for (int k = 0; k <= degree_; ++k) points[at(k)] = point(edge_point(h, k));
+}
+
+// -- recorded changes
+
+void Mesh::put_int(Log what, std::vector<std::int32_t>& array, std::size_t i, std::int32_t value) {
+  if (array[i] == value) return;
+  log(what, i, static_cast<std::uint64_t>(static_cast<std::int64_t>(array[i])));
+  array[i] = value;
+  changed_ = true;
+}
+
+void Mesh::put_value(std::size_t field, std::size_t i, double value) {
+  double& old = fields_[field].values[i];
+  log(static_cast<Log>(static_cast<std::uint32_t>(Log::value) + static_cast<std::uint32_t>(field)), i,
+      std::bit_cast<std::uint64_t>(old));
+  old = value;
+}
+
+void Mesh::set_point(PointId p, const Point& position) {
+  Point& old = points_[at(p)];
+  log(Log::point_x, at(p), std::bit_cast<std::uint64_t>(old.x));
+  log(Log::point_y, at(p), std::bit_cast<std::uint64_t>(old.y));
+  old = position;
+}
+
+std::int32_t Mesh::make_place(PointId p, FaceId f) {
+  std::int32_t place;
+  if (!free_places_.empty()) {
+    place = free_places_.back();
+    free_places_.pop_back();
+    log(Log::pop_place, 0, static_cast<std::uint64_t>(place));
+  } else {
+    place = place_count_++;
+    for (Field& field : fields_)
+      if (field.by_face) field.values.resize(at(place_count_) * at(field.components));
+    log(Log::grow_places, 0, 0);
+  }
+  places_.emplace(place_key(p, f), place);
+  log(Log::insert_place, 0, place_key(p, f));
+  changed_ = true;
+  return place;
+}
+
+void Mesh::drop_place(PointId p, FaceId f) {
+  const auto found = places_.find(place_key(p, f));
+  if (found == places_.end()) return;
+  log(Log::erase_place, static_cast<std::size_t>(found->second), found->first);
+  free_places_.push_back(found->second);
+  log(Log::push_place, 0, 0);
+  places_.erase(found);
+  changed_ = true;
+}
+
+void Mesh::put_fields(PointId p, FaceId f, std::span<const double> row) {
+  std::size_t column = 2;
+  for (std::size_t k = 0; k < fields_.size(); ++k) {
+    std::ptrdiff_t first = value_index(static_cast<int>(k), p, f);
+    if (first < 0) first = static_cast<std::ptrdiff_t>(make_place(p, f)) * fields_[k].components;
+    for (int c = 0; c < fields_[k].components; ++c) put_value(k, at(first + c), row[column++]);
+  }
+}
+
+void Mesh::put_row(PointId p, FaceId f, std::span<const double> row) {
+  set_point(p, {row[0], row[1]});
+  put_fields(p, f, row);
+}
+
+PointId Mesh::add_point() {
+  changed_ = true;
+  if (!free_points_.empty()) {
+    const PointId p = free_points_.back();
+    free_points_.pop_back();
+    log(Log::pop_point, 0, static_cast<std::uint64_t>(p));
+    put_int(Log::vertex_half_edge, vertex_half_edges_, at(p), none);
+    return p;
+  }
+  points_.emplace_back();
+  vertex_half_edges_.push_back(none);
+  for (Field& field : fields_)
+    if (!field.by_face) field.values.resize(field.values.size() + at(field.components));
+  log(Log::grow_points, 0, 0);
+  return static_cast<PointId>(points_.size()) - 1;
+}
+
+void Mesh::free_point(PointId p) {
+  if (has_by_face_)
+    for (FaceId f = 0; f < static_cast<FaceId>(boundary_.faces.size()); ++f) drop_place(p, f);
+  put_int(Log::vertex_half_edge, vertex_half_edges_, at(p), free_slot);
+  free_points_.push_back(p);
+  log(Log::push_point, 0, 0);
+}
+
+TriangleId Mesh::add_triangle(FaceId f) {
+  TriangleId t;
+  if (!free_triangles_.empty()) {
+    t = free_triangles_.back();
+    free_triangles_.pop_back();
+    log(Log::pop_triangle, 0, static_cast<std::uint64_t>(t));
+  } else {
+    t = triangle_slots();
+    faces_.push_back(none);
+    nets_.resize(nets_.size() + at(net_size_), none);
+    twins_.resize(twins_.size() + 3, none);
+    constraints_.resize(constraints_.size() + 3, none);
+    log(Log::grow_triangles, 0, 0);
+  }
+  put_int(Log::face, faces_, at(t), f);
+  for (int e = 0; e < 3; ++e) {
+    put_int(Log::twin, twins_, at(half_edge(t, e)), none);
+    put_int(Log::constraint, constraints_, at(half_edge(t, e)), none);
+  }
+  ++triangle_count_;
+  return t;
+}
+
+void Mesh::free_triangle(TriangleId t) {
+  put_int(Log::face, faces_, at(t), none);
+  free_triangles_.push_back(t);
+  log(Log::push_triangle, 0, 0);
+  --triangle_count_;
+}
+
+void Mesh::set_net_point(TriangleId t, int index, PointId p) {
+  put_int(Log::net, nets_, at(t) * at(net_size_) + at(index), p);
+}
+
+void Mesh::link(HalfEdgeId h, HalfEdgeId g) {
+  if (h != none) put_int(Log::twin, twins_, at(h), g);
+  if (g != none) put_int(Log::twin, twins_, at(g), h);
+}
+
+void Mesh::set_constraint(HalfEdgeId h, ConstraintId c) { put_int(Log::constraint, constraints_, at(h), c); }
+
+ConstraintId Mesh::add_constraint(CurveId curve, double start, PointId first) {
+  ConstraintId c;
+  if (!free_constraints_.empty()) {
+    c = free_constraints_.back();
+    free_constraints_.pop_back();
+    log(Log::pop_constraint, 0, static_cast<std::uint64_t>(c));
+  } else {
+    c = static_cast<ConstraintId>(constraint_curves_.size());
+    constraint_curves_.push_back(none);
+    constraint_firsts_.push_back(none);
+    constraint_starts_.push_back(0);
+    log(Log::grow_constraints, 0, 0);
+  }
+  set_constraint_record(c, curve, start, first);
+  return c;
+}
+
+void Mesh::set_constraint_record(ConstraintId c, CurveId curve, double start, PointId first) {
+  put_int(Log::constraint_curve, constraint_curves_, at(c), curve);
+  put_int(Log::constraint_first, constraint_firsts_, at(c), first);
+  log(Log::constraint_start, at(c), std::bit_cast<std::uint64_t>(constraint_starts_[at(c)]));
+  constraint_starts_[at(c)] = start;
+}
+
+void Mesh::free_constraint(ConstraintId c) {
+  put_int(Log::constraint_curve, constraint_curves_, at(c), none);
+  free_constraints_.push_back(c);
+  log(Log::push_constraint, 0, 0);
+}
+
+void Mesh::set_vertex_half_edge(PointId v, HalfEdgeId h) {
+  put_int(Log::vertex_half_edge, vertex_half_edges_, at(v), h);
+}
+
+void Mesh::set_spline(CurveId c, BSpline spline, double removal_error) {
+  Curve& curve = boundary_.curves[at(c)];
+  if (recording_ > 0) {
+    log(Log::spline, 0, 0);
+    spline_log_.push_back({c, std::move(curve.spline), curve.removal_error});
+  }
+  curve.spline = std::move(spline);
+  curve.removal_error = removal_error;
+}
+
+// -- undoing
+
+void Mesh::undo(std::size_t mark) {
+  while (log_.size() > mark) {
+    const LogEntry entry = log_.back();
+    log_.pop_back();
+    const std::size_t i = entry.index;
+    const auto integer = static_cast<std::int32_t>(static_cast<std::int64_t>(entry.bits));
+    const auto real = std::bit_cast<double>(entry.bits);
+    switch (entry.what) {
+      case Log::point_x:
+        points_[i].x = real;
+        break;
+      case Log::point_y:
+        points_[i].y = real;
+        break;
+      case Log::net:
+        nets_[i] = integer;
+        break;
+      case Log::face:
+        triangle_count_ += (integer >= 0 ? 1 : 0) - (faces_[i] >= 0 ? 1 : 0);
+        faces_[i] = integer;
+        break;
+      case Log::twin:
+        twins_[i] = integer;
+        break;
+      case Log::constraint:
+        constraints_[i] = integer;
+        break;
+      case Log::vertex_half_edge:
+        vertex_half_edges_[i] = integer;
+        break;
+      case Log::constraint_curve:
+        constraint_curves_[i] = integer;
+        break;
+      case Log::constraint_first:
+        constraint_firsts_[i] = integer;
+        break;
+      case Log::constraint_start:
+        constraint_starts_[i] = real;
+        break;
+      case Log::grow_triangles:
+        faces_.pop_back();
+        nets_.resize(nets_.size() - at(net_size_));
+        twins_.resize(twins_.size() - 3);
+        constraints_.resize(constraints_.size() - 3);
+        break;
+      case Log::grow_points:
+        points_.pop_back();
+        vertex_half_edges_.pop_back();
+        for (Field& field : fields_)
+          if (!field.by_face) field.values.resize(field.values.size() - at(field.components));
+        break;
+      case Log::grow_constraints:
+        constraint_curves_.pop_back();
+        constraint_firsts_.pop_back();
+        constraint_starts_.pop_back();
+        break;
+      case Log::grow_places:
+        --place_count_;
+        for (Field& field : fields_)
+          if (field.by_face) field.values.resize(at(place_count_) * at(field.components));
+        break;
+      case Log::pop_triangle:
+        free_triangles_.push_back(integer);
+        break;
+      case Log::pop_point:
+        free_points_.push_back(integer);
+        break;
+      case Log::pop_constraint:
+        free_constraints_.push_back(integer);
+        break;
+      case Log::pop_place:
+        free_places_.push_back(integer);
+        break;
+      case Log::push_triangle:
+        free_triangles_.pop_back();
+        break;
+      case Log::push_point:
+        free_points_.pop_back();
+        break;
+      case Log::push_constraint:
+        free_constraints_.pop_back();
+        break;
+      case Log::push_place:
+        free_places_.pop_back();
+        break;
+      case Log::insert_place:
+        places_.erase(entry.bits);
+        break;
+      case Log::erase_place:
+        places_.emplace(entry.bits, static_cast<std::int32_t>(entry.index));
+        break;
+      case Log::spline: {
+        SplineBackup& backup = spline_log_.back();
+        boundary_.curves[at(backup.curve)].spline = std::move(backup.spline);
+        boundary_.curves[at(backup.curve)].removal_error = backup.removal_error;
+        spline_log_.pop_back();
+        break;
+      }
+      default: {
+        const auto field = static_cast<std::uint32_t>(entry.what) - static_cast<std::uint32_t>(Log::value);
+        fields_[field].values[i] = real;
+      }
+    }
+  }
+}
+
+void Transaction::commit() {
+  assert(open_);
+  open_ = false;
+  if (--mesh_.recording_ == 0) {
+    mesh_.log_.clear();
+    mesh_.spline_log_.clear();
+  }
+}
+
+void Transaction::roll_back() {
+  assert(open_);
+  open_ = false;
+  mesh_.undo(mark_);
+  --mesh_.recording_;
+}
+
+// -- whole-mesh changes, not recorded
+
+void Mesh::set_points(std::vector<Point> points) {
+  assert(recording_ == 0 && points.size() == points_.size());
+  points_ = std::move(points);
+}
+
+void Mesh::set_boundary_motion(CurveId c, BSpline spline) { boundary_.curves[at(c)].spline = std::move(spline); }
+
+}  // namespace pliant

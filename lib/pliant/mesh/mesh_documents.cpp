@@ -1,0 +1,163 @@
+// A mesh from its document and back: numbering, adjacency, constrained edges, fields by face.
+#include <algorithm>
+#include <numeric>
+
+#include "pliant/mesh/mesh.h"
+
+namespace pliant {
+
+Mesh::Mesh(MeshData data)
+    : time(data.time),
+      criteria(std::move(data.criteria)),
+      extra(std::move(data.extra)),
+      degree_(data.degree),
+      net_size_(pliant::net_size(data.degree)),
+      layout_(&NetLayout::of(data.degree)),
+      points_(std::move(data.points)),
+      nets_(std::move(data.triangles)),
+      faces_(std::move(data.triangle_faces)),
+      boundary_(std::move(data.boundary)) {
+  triangle_count_ = static_cast<int>(faces_.size());
+  for (Field& field : data.fields) set_field(std::move(field));
+  connect(data.constrained_edges);
+  size_ = box().size();
+  changed_ = false;
+}
+
+void Mesh::set_field(Field field) {
+  assert(recording_ == 0);
+  if (field.by_face && !has_by_face_) {
+    has_by_face_ = true;
+    place_count_ = static_cast<std::int32_t>(field.places.size());
+    for (std::size_t k = 0; k < field.places.size(); ++k)
+      places_.emplace(place_key(field.places[k][0], field.places[k][1]), static_cast<std::int32_t>(k));
+  }
+  field.places.clear();
+  const auto same =
+      std::find_if(fields_.begin(), fields_.end(), [&field](const Field& old) { return old.name == field.name; });
+  if (same == fields_.end())
+    fields_.push_back(std::move(field));
+  else
+    *same = std::move(field);
+  width_ = 2;
+  for (const Field& each : fields_) width_ += each.components;
+}
+
+void Mesh::connect(const std::vector<ConstrainedEdge>& constrained) {
+  // Half-edges by origin (counting sort), then each looks for its reverse among those that leave its target.
+  const std::size_t half_edges = faces_.size() * 3;
+  twins_.assign(half_edges, none);
+  constraints_.assign(half_edges, none);
+  vertex_half_edges_.assign(points_.size(), none);
+  std::vector<std::int32_t> first(points_.size() + 1, 0);
+  for (std::size_t h = 0; h < half_edges; ++h) ++first[at(origin(static_cast<HalfEdgeId>(h))) + 1];
+  std::partial_sum(first.begin(), first.end(), first.begin());
+  std::vector<HalfEdgeId> leaving(half_edges);
+  std::vector<std::int32_t> fill(first.begin(), first.end() - 1);
+  for (std::size_t h = 0; h < half_edges; ++h) {
+    const PointId from = origin(static_cast<HalfEdgeId>(h));
+    leaving[at(fill[at(from)]++)] = static_cast<HalfEdgeId>(h);
+    if (vertex_half_edges_[at(from)] == none) vertex_half_edges_[at(from)] = static_cast<HalfEdgeId>(h);
+  }
+  const auto find = [&](PointId from, PointId to) {
+    for (std::int32_t k = first[at(from)]; k < first[at(from) + 1]; ++k)
+      if (target(leaving[at(k)]) == to) return leaving[at(k)];
+    return none;
+  };
+  for (std::size_t h = 0; h < half_edges; ++h)
+    twins_[h] = find(target(static_cast<HalfEdgeId>(h)), origin(static_cast<HalfEdgeId>(h)));
+
+  std::vector<std::vector<double>> breaks(boundary_.curves.size());
+  for (const ConstrainedEdge& edge : constrained) {
+    std::vector<double>& starts = breaks[at(edge.curve)];
+    if (starts.empty()) starts = spline(edge.curve).breaks();
+    const PointId a = edge.points.front(), b = edge.points.back();
+    const ConstraintId c = add_constraint(edge.curve, starts[at(edge.span)], a);
+    for (const HalfEdgeId h : {find(a, b), find(b, a)})
+      if (h != none) constraints_[at(h)] = c;
+  }
+}
+
+MeshData Mesh::to_data() const {
+  MeshData data;
+  data.degree = degree_;
+  data.time = time;
+  data.criteria = criteria;
+  data.extra = extra;
+  data.boundary = boundary_;
+
+  std::vector<PointId> number(points_.size(), none);
+  for (std::size_t p = 0; p < points_.size(); ++p) {
+    if (vertex_half_edges_[p] == free_slot) continue;
+    number[p] = static_cast<PointId>(data.points.size());
+    data.points.push_back(points_[p]);
+  }
+  data.triangles.reserve(at(triangle_count_) * at(net_size_));
+  data.triangle_faces.reserve(at(triangle_count_));
+  for (TriangleId t = 0; t < triangle_slots(); ++t) {
+    if (!is_alive(t)) continue;
+    for (const PointId p : net(t)) data.triangles.push_back(number[at(p)]);
+    data.triangle_faces.push_back(face(t));
+  }
+
+  std::vector<std::vector<double>> breaks(boundary_.curves.size());
+  for (TriangleId t = 0; t < triangle_slots(); ++t) {
+    if (!is_alive(t)) continue;
+    for (int e = 0; e < 3; ++e) {
+      const HalfEdgeId h = half_edge(t, e);
+      if (!is_constrained(h)) continue;
+      const bool forward = runs_forward(h);
+      if (!forward && twin(h) != none) continue;  // its twin is listed
+      const ConstraintId c = constraint(h);
+      std::vector<double>& starts = breaks[at(constraint_curve(c))];
+      if (starts.empty()) starts = spline(constraint_curve(c)).breaks();
+      ConstrainedEdge edge;
+      edge.curve = constraint_curve(c);
+      edge.span =
+          static_cast<int>(std::lower_bound(starts.begin(), starts.end(), constraint_start(c)) - starts.begin());
+      for (int k = 0; k <= degree_; ++k) edge.points.push_back(number[at(edge_point(h, forward ? k : degree_ - k))]);
+      data.constrained_edges.push_back(std::move(edge));
+    }
+  }
+  std::sort(data.constrained_edges.begin(), data.constrained_edges.end(),
+            [](const ConstrainedEdge& a, const ConstrainedEdge& b) {
+              return std::pair{a.curve, a.span} < std::pair{b.curve, b.span};
+            });
+
+  std::vector<std::pair<std::array<std::int32_t, 2>, std::int32_t>> places;
+  for (const auto& [key, place] : places_)
+    places.push_back({{number[at(static_cast<PointId>(key >> 32))], static_cast<FaceId>(key & 0xffffffffu)}, place});
+  std::sort(places.begin(), places.end());
+  for (const Field& field : fields_) {
+    Field out;
+    out.name = field.name;
+    out.components = field.components;
+    out.by_face = field.by_face;
+    out.extra = field.extra;
+    const auto copy = [&](std::size_t slot) {
+      for (std::size_t c = 0; c < at(field.components); ++c)
+        out.values.push_back(field.values[slot * at(field.components) + c]);
+    };
+    if (field.by_face) {
+      for (const auto& [place, slot] : places) {
+        out.places.push_back(place);
+        copy(at(slot));
+      }
+    } else {
+      for (std::size_t p = 0; p < points_.size(); ++p)
+        if (number[p] != none) copy(p);
+    }
+    data.fields.push_back(std::move(out));
+  }
+  return data;
+}
+
+void Mesh::compact() {
+  assert(recording_ == 0);
+  if (changed_)
+    *this = Mesh(to_data());
+  else
+    size_ = box().size();
+}
+
+}  // namespace pliant
