@@ -1,0 +1,154 @@
+// lib/pliant/geometry/interpolate_net.cpp: nodal values to control values (declared in control_net.h)
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <cstddef>
+#include <mutex>
+#include <utility>
+#include <vector>
+
+#include "pliant/geometry/bernstein.h"
+#include "pliant/geometry/control_net.h"
+
+namespace pliant {
+namespace {
+
+constexpr std::size_t at(int n) { return static_cast<std::size_t>(n); }
+
+/// The inverse of an n x n matrix, row-major, by Gauss-Jordan with row exchanges.
+std::vector<double> inverse(int n, const std::vector<double>& matrix) {
+  std::vector<long double> a(matrix.begin(), matrix.end());
+  std::vector<long double> b(at(n * n), 0.0L);
+  for (int r = 0; r < n; ++r) b[at(r * n + r)] = 1;
+  for (int c = 0; c < n; ++c) {
+    int pivot = c;
+    for (int r = c + 1; r < n; ++r)
+      if (std::fabs(a[at(r * n + c)]) > std::fabs(a[at(pivot * n + c)])) pivot = r;
+    for (int x = 0; x < n; ++x) {
+      std::swap(a[at(c * n + x)], a[at(pivot * n + x)]);
+      std::swap(b[at(c * n + x)], b[at(pivot * n + x)]);
+    }
+    const long double scale = 1 / a[at(c * n + c)];
+    for (int x = 0; x < n; ++x) {
+      a[at(c * n + x)] *= scale;
+      b[at(c * n + x)] *= scale;
+    }
+    for (int r = 0; r < n; ++r) {
+      const long double factor = a[at(r * n + c)];
+      if (r == c || factor == 0) continue;
+      for (int x = 0; x < n; ++x) {
+        a[at(r * n + x)] -= factor * a[at(c * n + x)];
+        b[at(r * n + x)] -= factor * b[at(c * n + x)];
+      }
+    }
+  }
+  std::vector<double> result;
+  for (const long double x : b) result.push_back(static_cast<double>(x));
+  return result;
+}
+
+/// Interior control values = inverse * (interior nodal values - boundary * boundary control values).
+struct Collocation {
+  int interior = 0, boundary = 0;
+  std::vector<double> inverse_matrix;   // interior x interior
+  std::vector<double> boundary_matrix;  // interior x boundary
+};
+
+/// `basis` at each interior node; the first `boundary` basis functions are the known ones.
+Collocation collocate(int boundary, const std::vector<std::vector<double>>& basis) {
+  Collocation result;
+  result.boundary = boundary;
+  result.interior = static_cast<int>(basis.size());
+  std::vector<double> matrix;
+  for (const std::vector<double>& row : basis) {
+    result.boundary_matrix.insert(result.boundary_matrix.end(), row.begin(), row.begin() + boundary);
+    matrix.insert(matrix.end(), row.begin() + boundary, row.end());
+  }
+  result.inverse_matrix = inverse(result.interior, matrix);
+  return result;
+}
+
+/// Both ends come first.
+Collocation collocate_polygon(int degree) {
+  std::vector<std::vector<double>> basis;
+  for (int k = 1; k < degree; ++k) {
+    std::vector<double> values(at(degree + 1));
+    bernstein_basis(degree, static_cast<double>(k) / degree, values);
+    std::vector<double> row{values.front(), values.back()};
+    row.insert(row.end(), values.begin() + 1, values.end() - 1);
+    basis.push_back(row);
+  }
+  return collocate(2, basis);
+}
+
+Collocation collocate_net(int degree) {
+  const NetLayout& layout = NetLayout::of(degree);
+  std::vector<std::vector<double>> basis;
+  for (int n = layout.first_interior(); n < layout.size(); ++n) {
+    const auto [i, j, k] = layout.exponents(n);
+    std::vector<double> row(at(layout.size()));
+    const double p = degree;
+    bernstein_basis(degree, Barycentric{i / p, j / p, k / p}, row);
+    basis.push_back(row);
+  }
+  return collocate(layout.first_interior(), basis);
+}
+
+template <Collocation build(int degree)>
+const Collocation& collocation(int degree) {
+  static std::array<std::once_flag, max_degree + 1> built;
+  static std::array<Collocation, max_degree + 1> all;
+  assert(2 <= degree && degree <= max_degree);
+  std::call_once(built[at(degree)], [degree] { all[at(degree)] = build(degree); });
+  return all[at(degree)];
+}
+
+}  // namespace
+
+void interpolate_polygon(int degree, int width, std::span<double> polygon) {
+  assert(polygon.size() >= at((degree + 1) * width));
+  if (degree < 2) return;
+  const Collocation& c = collocation<collocate_polygon>(degree);
+  std::array<double, max_degree> rest;
+  for (int x = 0; x < width; ++x) {
+    // Only the departure from the chord is multiplied by the inverse: a straight edge stays straight, and far from the
+    // origin nothing is lost.
+    const double first = polygon[at(x)];
+    const double last = polygon[at(degree * width + x)];
+    const auto chord = [&](int k) { return ((degree - k) * first + k * last) / degree; };
+    for (int k = 1; k < degree; ++k) rest[at(k - 1)] = polygon[at(k * width + x)] - chord(k);
+    for (int k = 1; k < degree; ++k) {
+      double sum = 0;
+      for (int n = 0; n < c.interior; ++n) sum += c.inverse_matrix[at((k - 1) * c.interior + n)] * rest[at(n)];
+      polygon[at(k * width + x)] = chord(k) + sum;
+    }
+  }
+}
+
+void interpolate_interior(int degree, int width, std::span<double> net) {
+  assert(net.size() >= at(net_size(degree) * width));
+  if (degree < 3) return;
+  const Collocation& c = collocation<collocate_net>(degree);
+  const NetLayout& layout = NetLayout::of(degree);
+  std::array<double, interior_size(max_degree)> rest;
+  for (int x = 0; x < width; ++x) {
+    // Departures from the straight triangle, for the same reason as above.
+    const auto value = [&](int n) -> double& { return net[at(n * width + x)]; };
+    const auto flat = [&](int n) {
+      const auto [i, j, k] = layout.exponents(n);
+      return (i * value(0) + j * value(1) + k * value(2)) / degree;
+    };
+    for (int n = 0; n < c.interior; ++n) {
+      double sum = value(c.boundary + n) - flat(c.boundary + n);
+      for (int m = 3; m < c.boundary; ++m) sum -= c.boundary_matrix[at(n * c.boundary + m)] * (value(m) - flat(m));
+      rest[at(n)] = sum;
+    }
+    for (int n = 0; n < c.interior; ++n) {
+      double sum = 0;
+      for (int m = 0; m < c.interior; ++m) sum += c.inverse_matrix[at(n * c.interior + m)] * rest[at(m)];
+      value(c.boundary + n) = flat(c.boundary + n) + sum;
+    }
+  }
+}
+
+}  // namespace pliant

@@ -1,0 +1,13 @@
+#pragma once  // lib/pliant/geometry/lattice.h: the order of a net's rows inside de Casteljau (private to this layer)
+#include <vector>
+
+namespace pliant {
+
+/// Index of the entry (i, j, k) by rows r = j + k from the first corner on: it does not depend on the degree, so a
+/// step of de Casteljau reads only entries at or behind the one it writes, and runs in place.
+constexpr int lattice_index(int r, int k) { return r * (r + 1) / 2 + k; }
+
+/// The lattice index of each entry of NetLayout::of(degree). Thread-safe.
+const std::vector<int>& lattice_order(int degree);
+
+}  // namespace pliant
