@@ -33,7 +33,8 @@ struct CurvatureBounds {
   double min_shape_ratio = 0.5;       ///< curved tau below this times the logical triangle's
   double max_turning = 1.5707963268;  ///< an edge turns by more (radians)
 };
-/// A number above 1 says that the element is too curved, and by how much: the largest ratio to its bound.
+/// A number above 1 says that the element is too curved, and by how much: the largest of the measures, each divided by
+/// its bound (for the shape the bound by the measure). Infinite where the area or the least tau is not positive.
 double curvature_excess(int degree, std::span<const Point> net, const CurvatureBounds& bounds);
 
 }  // namespace pliant

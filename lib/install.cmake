@@ -1,0 +1,23 @@
+# The installed package: libraries, headers, and what find_package(pliant) reads. Included once formats/ is known.
+
+# All of it at once, for users of the installed package; the documents of formats/ come with it.
+add_library(pliant INTERFACE)
+add_library(pliant::pliant ALIAS pliant)
+target_link_libraries(pliant INTERFACE pliant_generate pliant_flow pliant_formats)
+
+install(TARGETS pliant pliant_geometry pliant_boundary pliant_mesh pliant_ops pliant_quality pliant_flow pliant_improve
+                pliant_generate pliant_formats
+        EXPORT pliantTargets)
+install(DIRECTORY ${CMAKE_CURRENT_LIST_DIR}/pliant DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.h")
+# In the tree and installed, these are included as "formats/mesh_json.h".
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/formats DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/pliant
+        FILES_MATCHING PATTERN "*.h")
+
+include(CMakePackageConfigHelpers)
+set(config_dir ${CMAKE_INSTALL_LIBDIR}/cmake/pliant)
+install(EXPORT pliantTargets NAMESPACE pliant:: DESTINATION ${config_dir})
+configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/pliantConfig.cmake.in ${PROJECT_BINARY_DIR}/pliantConfig.cmake
+                              INSTALL_DESTINATION ${config_dir} NO_SET_AND_CHECK_MACRO)
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/pliantConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/pliantConfig.cmake ${PROJECT_BINARY_DIR}/pliantConfigVersion.cmake
+        DESTINATION ${config_dir})
