@@ -1,0 +1,41 @@
+#pragma once  // lib/pliant/quality/element_forms.h: det J and the squared norm of the Jacobian, scaled (private here)
+#include <array>
+#include <span>
+#include <vector>
+
+#include "pliant/geometry/net_layout.h"
+#include "pliant/geometry/point.h"
+
+namespace pliant {
+
+inline constexpr int max_form_size = net_size(2 * (max_degree - 1));
+
+/// Bernstein coefficients, of degree 2(p - 1) and in the order of NetLayout, of the two forms that tau is the ratio of,
+/// for the element divided by 2^exponent. With a and b the derivatives along (xi2, xi3):
+/// det J = a x b, and squares = |a|^2 - a.b + |b|^2, half the sum of the squared sides of the triangle a, b, b - a.
+/// tau = sqrt(3) det J / squares. The power of two keeps products of elements of any size from over- and underflowing.
+struct ElementForms {
+  int degree = 0;         ///< of the forms
+  int exponent = 0;       ///< lengths are divided by 2^exponent
+  bool is_point = false;  ///< all control points coincide
+  bool is_finite = true;  ///< false: differences of control points overflow, and nothing else here is set
+  double error = 0;       ///< floating-point error bound of each coefficient of either form
+  std::array<double, max_form_size> jacobian, squares;
+
+  int size() const { return net_size(degree); }
+  /// Mean of the coefficients of det J: twice the signed area.
+  double mean_jacobian() const;
+};
+void element_forms(int degree, std::span<const Point> net, ElementForms& forms);
+
+/// The measures of element_quality.h, from the forms; NaN where these are not finite.
+double distortion(const ElementForms& forms);
+double curved_shape(const ElementForms& forms);
+double jacobian_peak(const ElementForms& forms);
+
+/// For each degree p, once: the triangles of the control net, as indices into it, counter-clockwise: first those that
+/// stand as the element does (its partial derivatives are their sides), in the order of NetLayout(p - 1), then those
+/// turned over. p^2 in all.
+std::span<const std::array<int, 3>> control_triangles(int degree);
+
+}  // namespace pliant
