@@ -53,9 +53,9 @@ void quadratic_jacobian(std::span<const Point> net, std::span<double> out) {
 
 const JacobianTerms& JacobianTerms::of(int degree) {
   static const std::vector<JacobianTerms> all = [] {
-    std::vector<JacobianTerms> terms;
-    for (int p = 1; p <= max_degree; ++p) terms.push_back(build_terms(p));
-    return terms;
+    std::vector<JacobianTerms> degrees;
+    for (int p = 1; p <= max_degree; ++p) degrees.push_back(build_terms(p));
+    return degrees;
   }();
   assert(1 <= degree && degree <= max_degree);
   return all[at(degree - 1)];
