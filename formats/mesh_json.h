@@ -26,7 +26,7 @@ class DocumentStream {
   /// Takes over the stream (not closed). `name` is for messages: the file, or "standard input".
   DocumentStream(std::FILE* stream, std::string name);
   ~DocumentStream();
-  /// The text of the next document; false at the end. Blank lines are skipped.
+  /// The text of the next document, valid until the next call; false at the end. Blank lines are skipped.
   /// Throws      std::system_error when reading fails
   bool next(std::string_view& document);
   long frame() const;       ///< number of the document last returned, from 0

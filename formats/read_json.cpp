@@ -1,0 +1,168 @@
+#include "formats/read_json.h"  // formats/read_json.cpp: objects, arrays and faults of a document
+
+#include <algorithm>
+#include <cstring>
+
+namespace pliant {
+namespace {
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+unsigned byte_of(char c) { return static_cast<unsigned char>(c); }
+
+/// The pointer's text of a member name (RFC 6901).
+void append_escaped(std::string& pointer, std::string_view name) {
+  for (const char c : name) {
+    if (c == '~')
+      pointer += "~0";
+    else if (c == '/')
+      pointer += "~1";
+    else
+      pointer += c;
+  }
+}
+
+}  // namespace
+
+// -- faults
+
+void JsonReader::throw_at(const char* where, const std::string& text, const std::string& below) const {
+  std::string pointer;
+  for (const Step& step : path_) {
+    pointer += '/';
+    if (step.index < 0)
+      append_escaped(pointer, step.name);
+    else
+      pointer += std::to_string(step.index);
+  }
+  const long line = 1 + static_cast<long>(std::count(begin_, where, '\n'));
+  const char* start = where;
+  while (start != begin_ && start[-1] != '\n') --start;
+  throw DocumentError(pointer + below, text, line, 1 + static_cast<long>(where - start));
+}
+
+void JsonReader::fail(const std::string& text, const std::string& below) const { throw_at(at_, text, below); }
+
+void JsonReader::syntax(const std::string& text) const {
+  const char* start = at_;
+  while (start != begin_ && start[-1] != '\n') --start;
+  throw_at(at_, text + " (column " + std::to_string(at_ - start + 1) + ")", {});
+}
+
+std::string JsonReader::found() const {
+  if (at_ == end_) return at_ == begin_ ? "but the document is empty" : "but the document ends";
+  if (std::string_view(at_, static_cast<std::size_t>(end_ - at_)).starts_with("\xEF\xBB\xBF"))
+    return "found a byte order mark";
+  const char c = *at_;
+  if (c == '{') return "found an object";
+  if (c == '[') return "found an array";
+  if (c == '"') return "found a string";
+  if (c == 't' || c == 'f') return "found a boolean";
+  if (c == 'n') return "found null";
+  if (c == '-' || is_digit(c)) return "found a number";
+  if (byte_of(c) > 0x20 && byte_of(c) < 0x7F) return std::string("found '") + c + "'";
+  constexpr char hex[] = "0123456789ABCDEF";
+  return std::string("found byte 0x") + hex[byte_of(c) >> 4] + hex[byte_of(c) & 15];
+}
+
+// -- structure
+
+void JsonReader::open(char bracket, const char* what) {
+  if (peek() != bracket || at_ == end_) syntax(std::string("should be ") + what + ", " + found());
+  if (path_.size() >= max_depth) syntax("is nested more than " + std::to_string(max_depth) + " deep");
+  ++at_;
+}
+
+void JsonReader::missing_comma(char close) const { syntax(std::string("expected ',' or '") + close + "', " + found()); }
+
+bool JsonReader::Names::add(std::string_view name) {
+  constexpr std::size_t linear = 16;  // above, a hostile object would cost the square of its size
+  if (few.size() < linear) {
+    if (std::find(few.begin(), few.end(), name) != few.end()) return false;
+    if (few.empty()) few.reserve(8);
+    few.push_back(name);
+    if (few.size() == linear) many.insert(few.begin(), few.end());
+    return true;
+  }
+  return many.insert(name).second;
+}
+
+std::string_view JsonReader::member_name(Names& names) {
+  if (peek() != '"' || at_ == end_) syntax("expected a member's name in quotes, " + found());
+  const std::string_view name = text();
+  if (!names.add(name)) syntax("has the member \"" + std::string(name) + "\" twice");
+  if (peek() != ':' || at_ == end_) syntax("expected ':', " + found());
+  ++at_;
+  skip_space();
+  return name;
+}
+
+void JsonReader::finish() {
+  if (skip_space(); at_ != end_) syntax("nothing may follow the document on its line, " + found());
+}
+
+// -- scalars
+
+void JsonReader::skip_word(const char* word) {
+  const std::size_t size = std::strlen(word);
+  if (static_cast<std::size_t>(end_ - at_) < size || std::memcmp(at_, word, size) != 0)
+    syntax(std::string("expected ") + word);
+  at_ += size;
+}
+
+bool JsonReader::boolean() {
+  const char c = peek();
+  if (c != 't' && c != 'f') syntax("should be true or false, " + found());
+  skip_word(c == 't' ? "true" : "false");
+  return c == 't';
+}
+
+bool JsonReader::null() {
+  if (peek() != 'n') return false;
+  skip_word("null");
+  return true;
+}
+
+// -- values that nobody asked for
+
+void JsonReader::skip_value() {
+  switch (peek()) {
+    case '{':
+      return object([&](std::string_view) {
+        skip_value();
+        return true;
+      });
+    case '[':
+      return array([&] { skip_value(); });
+    case '"':
+      text();
+      return;
+    case 't':
+    case 'f':
+      boolean();
+      return;
+    case 'n':
+      return skip_word("null");
+    default:
+      return skip_number();
+  }
+}
+
+std::string JsonReader::raw() {
+  skip_space();
+  const char* first = at_;
+  skip_value();
+  std::string out;
+  bool quoted = false;
+  for (const char* p = first; p != at_; ++p) {
+    if (*p == '"') quoted = !quoted;
+    if (quoted && *p == '\\') {
+      out += *p++;
+      out += *p;
+    } else if (quoted || (*p != ' ' && *p != '\n' && *p != '\t' && *p != '\r')) {
+      out += *p;
+    }
+  }
+  return out;
+}
+
+}  // namespace pliant
