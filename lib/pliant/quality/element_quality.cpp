@@ -85,9 +85,15 @@ double shape_at(int degree, std::span<const Point> net, const Barycentric& xi) {
 }
 
 double scaled_jacobian(int degree, std::span<const Point> net) {
-  const auto [least, greatest] = jacobian_range(degree, net);
+  ElementForms forms;
+  element_forms(degree, net, forms);
+  if (!forms.is_finite) return nan;
+  std::array<Point, net_size(max_degree)> scaled;  // so that det J neither overflows nor underflows
+  for (std::size_t n = 0; n < at(net_size(degree)); ++n)
+    scaled[n] = {std::ldexp(net[n].x, -forms.exponent), std::ldexp(net[n].y, -forms.exponent)};
+  const auto [least, greatest] = jacobian_range(degree, std::span(scaled).first(at(net_size(degree))));
   const double size = std::max(std::fabs(least.lower), std::fabs(greatest.upper));
-  return size > 0 ? least.lower / size : 0;
+  return size > 4 * forms.error ? least.lower / size : 0;
 }
 
 double control_shape(int degree, std::span<const Point> net) {

@@ -17,7 +17,7 @@ double curved_shape(int degree, std::span<const Point> net);
 /// tau(xi) at one point.
 double shape_at(int degree, std::span<const Point> net, const Barycentric& xi);
 
-/// min det J / max(|min|, |max|), from guaranteed bounds; in [-1, 1].
+/// min det J / max(|min|, |max|), from guaranteed bounds; in [-1, 1]. 0 where det J is zero to rounding everywhere.
 double scaled_jacobian(int degree, std::span<const Point> net);
 
 /// Least tau of the p² straight triangles of the control net (paper §5.5).
