@@ -1,0 +1,102 @@
+#include "criteria_options.h"  // tools/criteria_options.cpp: from the texts of options to criteria of a document
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <stdexcept>
+
+#include "filter.h"
+
+namespace pliant {
+
+double parse_number(const std::string& option, const std::string& text) {
+  double value = 0;
+  const char* first = text.c_str();
+  const char* last = first + text.size();
+  if (text.size() > 1 && text[0] == '+' && text[1] != '-') ++first;
+  const auto [end, error] = std::from_chars(first, last, value);
+  if (end != last || error != std::errc() || !std::isfinite(value))
+    throw UsageError(option + ": '" + text + "' is not a finite number");
+  return value;
+}
+
+double parse_positive(const std::string& option, const std::string& text) {
+  const double value = parse_number(option, text);
+  if (!(value > 0)) throw UsageError(option + ": '" + text + "' should be above zero");
+  return value;
+}
+
+std::pair<std::string, double> parse_named_number(const std::string& option, const std::string& text) {
+  const std::size_t equals = text.rfind('=');
+  if (equals == std::string::npos || equals == 0) throw UsageError(option + ": '" + text + "' should be NAME=NUMBER");
+  return {text.substr(0, equals), parse_positive(option, text.substr(equals + 1))};
+}
+
+void CriteriaOptions::add(CLI::App& app) {
+  app.add_option("--min-angle", min_angle_text_, "least angle of a logical triangle, degrees; 0: any")
+      ->type_name("DEG");
+  app.add_option("--max-area", max_area_text_, "greatest area of an element")->type_name("AREA");
+  app.add_option("--face-area", face_area_texts_, "greatest area of an element in one face (repeatable)")
+      ->type_name("NAME=AREA")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  app.add_option("--size", size_text_, "wanted edge length, an expression in x, y, t")->type_name("EXPR");
+  app.add_option("--max-turning", max_turning_text_, "greatest angle by which an edge turns, degrees")
+      ->type_name("DEG");
+  app.add_option("--min-size", min_size_text_, "no two vertices closer than this")->type_name("LENGTH");
+}
+
+void CriteriaOptions::check() {
+  given_ = {};
+  if (!min_angle_text_.empty()) {
+    given_.min_angle = parse_number("--min-angle", min_angle_text_);
+    if (!(*given_.min_angle >= 0 && *given_.min_angle < 60))
+      throw UsageError("--min-angle: '" + min_angle_text_ + "' should be from 0 to below 60 degrees");
+  }
+  if (!max_area_text_.empty()) given_.max_area = parse_positive("--max-area", max_area_text_);
+  for (const std::string& text : face_area_texts_) {
+    auto bound = parse_named_number("--face-area", text);
+    const auto same = [&](const auto& other) { return other.first == bound.first; };
+    if (std::any_of(given_.face_area.begin(), given_.face_area.end(), same))
+      throw UsageError("--face-area: the face '" + bound.first + "' is given twice");
+    given_.face_area.push_back(std::move(bound));
+  }
+  if (!size_text_.empty()) given_.size = size_text_;
+  if (!max_turning_text_.empty()) given_.max_turning = parse_positive("--max-turning", max_turning_text_);
+  if (!min_size_text_.empty()) given_.min_size = parse_positive("--min-size", min_size_text_);
+}
+
+void CriteriaOptions::apply(Criteria& criteria, const BoundaryComplex& boundary) const {
+  if (given_.min_angle) criteria.min_angle = given_.min_angle;
+  if (given_.max_area) criteria.max_area = given_.max_area;
+  for (const auto& bound : given_.face_area) {
+    if (find_face(boundary, bound.first) == outside)
+      throw UsageError("--face-area: the mesh has no face '" + bound.first + "'");
+    const auto old = std::find_if(criteria.face_area.begin(), criteria.face_area.end(),
+                                  [&](const auto& other) { return other.first == bound.first; });
+    if (old == criteria.face_area.end())
+      criteria.face_area.push_back(bound);
+    else
+      old->second = bound.second;
+  }
+  if (given_.size) criteria.size = given_.size;
+  if (given_.max_turning) criteria.max_turning = given_.max_turning;
+  if (given_.min_size) criteria.min_size = given_.min_size;
+}
+
+QualityGoals CriteriaOptions::goals(Mesh& mesh, const std::function<SizeFunction(const std::string&)>& compile) const {
+  apply(mesh.criteria, mesh.boundary());
+  SizeFunction size;
+  if (mesh.criteria.size) {
+    try {
+      size = compile(*mesh.criteria.size);
+    } catch (const std::invalid_argument& e) {
+      if (given_.size) throw UsageError(std::string("--size: ") + e.what());
+      throw InputError("/criteria/size", e.what());
+    }
+  }
+  return goals_of(mesh, std::move(size));
+}
+
+}  // namespace pliant

@@ -1,0 +1,224 @@
+#include "filter.h"  // tools/filter.cpp: from the command line to an exit status, and the mapping over a series
+
+#include <fcntl.h>
+
+#include <CLI/CLI.hpp>
+#include <cerrno>
+#include <csignal>
+#include <cstdlib>
+#include <new>
+#include <optional>
+#include <system_error>
+
+#include "formats/mesh_json.h"
+#include "formats/read_json.h"
+#include "pliant/mesh/check_mesh.h"
+
+namespace pliant {
+namespace {
+
+/// Bad input, or no result, with the place of its document already in the text.
+class Placed : public std::runtime_error {
+ public:
+  Placed(int status, const std::string& text) : std::runtime_error(text), status_(status) {}
+  int status() const { return status_; }
+
+ private:
+  int status_;
+};
+
+std::string where(const Frame& frame, long line) {
+  return frame.source + ":" + std::to_string(line) + ": frame " + std::to_string(frame.index) + ": ";
+}
+
+std::string at_pointer(const std::string& pointer, const std::string& text) {
+  return pointer.empty() ? text : pointer + ": " + text;
+}
+
+/// Runs `work` on one document and adds the document's place to what it throws.
+void with_place(const Frame& frame, const std::function<void()>& work) {
+  try {
+    work();
+  } catch (const DocumentError& e) {
+    throw Placed(status::bad_input, where(frame, frame.line + e.line() - 1) + at_pointer(e.pointer(), e.what()));
+  } catch (const BadMesh& e) {
+    std::string text;
+    for (const Fault& fault : e.faults())
+      text += (text.empty() ? "" : "\n") + where(frame, frame.line) + at_pointer(fault.place, fault.text);
+    throw Placed(status::bad_input, text);
+  } catch (const InputError& e) {
+    throw Placed(status::bad_input, where(frame, frame.line) + at_pointer(e.pointer(), e.what()));
+  } catch (const NoResult& e) {
+    throw Placed(status::no_result, frame.source + ": frame " + std::to_string(frame.index) + ": " + e.what());
+  } catch (const std::domain_error& e) {
+    throw Placed(status::no_result, frame.source + ": frame " + std::to_string(frame.index) + ": " + e.what());
+  }
+}
+
+struct Closer {
+  void operator()(std::FILE* file) const { std::fclose(file); }
+};
+
+void for_each_document(const ToolOptions& options,
+                       const std::function<void(std::string_view text, const Frame&)>& use) {
+  std::unique_ptr<std::FILE, Closer> file;
+  Frame frame;
+  frame.source = "standard input";
+  if (options.input != "-") {
+    frame.source = options.input;
+    file.reset(std::fopen(options.input.c_str(), "rb"));
+    if (file == nullptr) throw std::system_error(errno, std::generic_category(), options.input);
+  }
+  DocumentStream stream(file == nullptr ? stdin : file.get(), frame.source);
+  std::string_view document;
+  while (stream.next(document)) {
+    frame.index = stream.frame();
+    frame.line = stream.first_line();
+    with_place(frame, [&] { use(document, frame); });
+  }
+  if (stream.frame() < 0)
+    throw Placed(status::bad_input, frame.source + ":1: the input is empty; expected a JSON document");
+}
+
+std::string list_elements(const InvalidElements& bad) {
+  constexpr std::size_t most = 8;
+  std::string text;
+  std::size_t count = 0;
+  for (const auto* elements : {&bad.invalid, &bad.degenerate})
+    for (const TriangleId t : *elements)
+      if (count++ < most) text += (text.empty() ? "" : ", ") + std::to_string(t);
+  return count > most ? text + ", ..." : text;
+}
+
+/// A closed standard stream must not hand its descriptor to a file that is opened later.
+void keep_standard_descriptors() {
+  for (const int fd : {0, 1, 2})
+    if (fcntl(fd, F_GETFD) < 0 && errno == EBADF) (void)!open("/dev/null", fd == 0 ? O_WRONLY : O_RDONLY);
+}
+
+}  // namespace
+
+BadMesh::BadMesh(std::vector<Fault> faults)
+    : InputError(faults.front().place, faults.front().text), faults_(std::move(faults)) {}
+
+void add_common_options(CLI::App& app, ToolOptions& options, bool with_report) {
+  options.tool = app.get_name();
+  app.add_option("INPUT", options.input, "a file, or - for standard input")->capture_default_str();
+  app.add_option("-o,--output", options.output, "write to this file, whole or not at all")->type_name("FILE");
+  if (with_report)
+    app.add_option("--report", options.report, "write what was done to this file, a line of JSON a frame")
+        ->type_name("FILE");
+  auto* quiet = app.add_flag("-q,--quiet", options.quiet, "no messages");
+  app.add_flag("-v,--verbose", options.verbose, "say what was done")->excludes(quiet);
+  app.add_option("-j,--threads", options.threads, "threads; the result does not depend on them")
+      ->type_name("N")
+      ->check(CLI::Validator(
+          [](std::string& text) {
+            const bool right = !text.empty() && text.size() < 5 && text[0] != '0' &&
+                               text.find_first_not_of("0123456789") == std::string::npos;
+            return right ? std::string() : "'" + text + "' is not a number of threads from 1 to 9999";
+          },
+          ""));
+  app.set_version_flag("--version", app.get_name() + " (Pliant) " PLIANT_VERSION);
+}
+
+int run_tool(CLI::App& app, int argc, char** argv, ToolOptions& options, const std::function<int()>& body) {
+  std::signal(SIGPIPE, SIG_DFL);  // also where the parent ignores it
+  keep_standard_descriptors();
+  const auto stop = [&](int exit_status, const std::string& text) {
+    // Each line of the text is a message of its own.
+    std::string out;
+    for (std::size_t first = 0, last = 0; first <= text.size() && last != std::string::npos; first = last + 1) {
+      last = text.find('\n', first);
+      out += options.tool + ": " + text.substr(first, last == std::string::npos ? last : last - first) + "\n";
+    }
+    if (!options.quiet) std::fputs(out.c_str(), stderr);
+    return exit_status;
+  };
+  options.tool = app.get_name();
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& e) {
+    if (e.get_exit_code() != 0)
+      return stop(status::wrong_usage, std::string(e.what()) + "\n`" + options.tool + " --help` lists the options");
+    app.exit(e);
+    return std::fflush(stdout) == 0 && std::cout.flush() ? status::done : stop(status::io_failed, "cannot write");
+  }
+  try {
+    return body();
+  } catch (const Placed& e) {
+    return stop(e.status(), e.what());
+  } catch (const UsageError& e) {
+    return stop(status::wrong_usage, e.what());
+  } catch (const InputError& e) {
+    return stop(status::bad_input, at_pointer(e.pointer(), e.what()));
+  } catch (const NoResult& e) {
+    return stop(status::no_result, e.what());
+  } catch (const std::system_error& e) {
+    return stop(status::io_failed, e.what());
+  } catch (const std::bad_alloc&) {
+    return stop(status::io_failed, "out of memory");
+  } catch (const std::exception& e) {
+    return stop(status::no_result, e.what());
+  }
+}
+
+void say(const ToolOptions& options, const std::string& text) {
+  if (!options.quiet) std::fprintf(stderr, "%s: %s\n", options.tool.c_str(), text.c_str());
+}
+
+void for_each_mesh(const ToolOptions& options, const std::function<void(MeshData&&, const Frame&)>& use) {
+  for_each_document(options, [&](std::string_view text, const Frame& frame) { use(read_mesh(text), frame); });
+}
+
+void for_each_boundary(const ToolOptions& options, const std::function<void(BoundaryComplex&&, const Frame&)>& use) {
+  for_each_document(options, [&](std::string_view text, const Frame& frame) { use(read_boundary(text), frame); });
+}
+
+void require_mesh(const MeshData& data, bool accepts_tangled) {
+  std::vector<Fault> faults = check_structure(data, 3);
+  constexpr std::size_t most = 10;
+  if (faults.size() > most) faults.resize(most);
+  for (Fault& fault : faults) fault.text += " (" + fault.invariant + ")";
+  if (!faults.empty()) throw BadMesh(std::move(faults));
+  if (accepts_tangled) return;
+  const InvalidElements bad = find_invalid(data);
+  if (bad.empty()) return;
+  const std::size_t count = bad.invalid.size() + bad.degenerate.size();
+  const TriangleId first = bad.invalid.empty() ? bad.degenerate.front() : bad.invalid.front();
+  const std::size_t all = data.triangle_faces.size();
+  throw BadMesh({{"M3", "/triangles/" + std::to_string(first * net_size(data.degree)),
+                  std::to_string(count) + " of " + std::to_string(all) + " elements are not valid (" +
+                      list_elements(bad) + "); smoothcurves may untangle them"}});
+}
+
+int run_filter(CLI::App& app, int argc, char** argv, const std::function<PassReport(Mesh&)>& pass,
+               const FilterOptions& filter) {
+  ToolOptions options;
+  add_common_options(app, options);
+  return run_tool(app, argc, argv, options, [&] {
+    if (filter.prepare) filter.prepare(options);
+    OutputFile output(options.output);
+    FrameReports reports(options);
+    Stopwatch watch;
+    std::string text;
+    for_each_document(options, [&](std::string_view document, const Frame& frame) {
+      watch.lap();
+      MeshData data = read_mesh(document);
+      const double read = watch.lap();
+      require_mesh(data, filter.accepts_tangled);
+      Mesh mesh(std::move(data));
+      const double check = watch.lap();
+      const PassReport report = pass(mesh);
+      const double work = watch.lap();
+      text.clear();
+      write_mesh(mesh.to_data(), text);
+      output.write(text);
+      reports.add(frame, mesh.time, report, {{"read", read}, {"check", check}, {"pass", work}, {"write", watch.lap()}});
+    });
+    output.commit();
+    return status::done;
+  });
+}
+
+}  // namespace pliant

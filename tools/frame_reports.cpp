@@ -1,0 +1,131 @@
+// tools/frame_reports.cpp: --report, -v and the frame counter on a terminal
+#include <unistd.h>
+
+#include <cerrno>
+#include <cmath>
+#include <optional>
+#include <system_error>
+
+#include "filter.h"
+#include "formats/write_json.h"
+
+namespace pliant {
+
+double Stopwatch::lap() {
+  const auto now = std::chrono::steady_clock::now();
+  const std::chrono::duration<double> passed = now - start_;
+  start_ = now;
+  return passed.count();
+}
+
+struct FrameReports::State {
+  const ToolOptions& options;
+  std::FILE* file = nullptr;
+  bool counts = false;  // a counter is shown
+  bool shown = false;
+  std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
+  double shown_at = 0;
+
+  void write_line(const Frame& frame, double time, const PassReport& report,
+                  const std::vector<std::pair<std::string, double>>& seconds) const;
+  void print(const Frame& frame, double time, const PassReport& report,
+             const std::vector<std::pair<std::string, double>>& seconds) const;
+  void count(const Frame& frame);
+  void clear_counter();
+};
+
+namespace {
+
+/// Counts come without a fraction or an exponent; what is not finite is null.
+void append_value(std::string& out, double value) {
+  if (!std::isfinite(value))
+    out += "null";
+  else if (value == std::floor(value) && std::abs(value) < 1e15)
+    append_integer(out, static_cast<std::int64_t>(value));
+  else
+    append_number(out, value);
+}
+
+std::string text_of(const char* format, double value) {
+  char text[40];
+  std::snprintf(text, sizeof text, format, value);
+  return text;
+}
+
+}  // namespace
+
+void FrameReports::State::write_line(const Frame& frame, double time, const PassReport& report,
+                                     const std::vector<std::pair<std::string, double>>& seconds) const {
+  std::string line;
+  JsonWriter out(line);
+  const auto number = [](double value) {
+    std::string text;
+    append_value(text, value);
+    return text;
+  };
+  out.begin_object().name("tool").value(options.tool).name("frame").value(static_cast<std::int64_t>(frame.index));
+  out.name("time").raw(number(time)).name("values").begin_object();
+  for (const auto& [name, value] : report.values) out.name(name).raw(number(value));
+  out.end_object().name("refusals").begin_object();
+  for (const auto& [reason, times] : report.refusals) out.name(reason).value(static_cast<std::int64_t>(times));
+  out.end_object().name("notes").begin_array();
+  for (const std::string& note : report.notes) out.value(note);
+  out.end_array().name("seconds").begin_object();
+  for (const auto& [name, value] : seconds) out.name(name).raw(text_of("%.6f", value));
+  out.end_object().end_object();
+  line += '\n';
+  if (std::fwrite(line.data(), 1, line.size(), file) != line.size() || std::fflush(file) != 0)
+    throw std::system_error(errno, std::generic_category(), options.report);
+}
+
+void FrameReports::State::print(const Frame& frame, double time, const PassReport& report,
+                                const std::vector<std::pair<std::string, double>>& seconds) const {
+  std::string line = "frame " + std::to_string(frame.index) + ", time " + text_of("%.12g", time) + ": ";
+  const char* comma = "";
+  for (const auto& [name, value] : report.values) {
+    line += comma + name + " " + text_of("%.10g", value);
+    comma = ", ";
+  }
+  double total = 0;
+  for (const auto& [name, value] : seconds) total += value;
+  line += std::string(comma) + text_of("%.3f s", total);
+  say(options, line);
+  for (const auto& [reason, times] : report.refusals)
+    say(options, "  refused " + std::to_string(times) + " times: " + reason);
+  for (const std::string& note : report.notes) say(options, "  " + note);
+}
+
+void FrameReports::State::count(const Frame& frame) {
+  const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
+  if (passed.count() < shown_at + 0.2) return;  // also keeps short runs silent
+  shown_at = passed.count();
+  shown = true;
+  std::fprintf(stderr, "\r%s: %ld frames, %.0f s", options.tool.c_str(), frame.index + 1, passed.count());
+}
+
+void FrameReports::State::clear_counter() {
+  if (shown) std::fputs("\r\033[K", stderr);
+  shown = false;
+}
+
+FrameReports::FrameReports(const ToolOptions& options) : state_(new State{options}) {
+  state_->counts = !options.quiet && !options.verbose && isatty(STDERR_FILENO) != 0 && isatty(STDOUT_FILENO) == 0;
+  if (options.report.empty()) return;
+  if (options.report == "-") throw UsageError("--report - would mix the report with the result; give it a file");
+  state_->file = std::fopen(options.report.c_str(), "we");
+  if (state_->file == nullptr) throw std::system_error(errno, std::generic_category(), options.report);
+}
+
+FrameReports::~FrameReports() {
+  state_->clear_counter();
+  if (state_->file != nullptr) std::fclose(state_->file);
+}
+
+void FrameReports::add(const Frame& frame, double time, const PassReport& report,
+                       const std::vector<std::pair<std::string, double>>& seconds) {
+  if (state_->file != nullptr) state_->write_line(frame, time, report, seconds);
+  if (state_->options.verbose) state_->print(frame, time, report, seconds);
+  if (state_->counts) state_->count(frame);
+}
+
+}  // namespace pliant
