@@ -1,0 +1,184 @@
+#include "pliant/flow/advect.h"  // tools/advect.cpp
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
+#include <sstream>
+
+#include "criteria_options.h"
+#include "expression.h"
+#include "field_option.h"
+#include "filter.h"
+
+namespace {
+
+using namespace pliant;
+
+/// Two times closer than this part of the step are the same: a sum of steps misses a round time by a few bits.
+constexpr double same_time = 1e-9;
+
+std::string list_flows() {
+  std::ostringstream text;
+  text << "Flows for --flow NAME[:KEY=VALUE,...]; a key that is not given has the value shown.\n";
+  for (const NamedFlow& flow : named_flows()) {
+    text << '\n' << flow.name << "\n  " << flow.description << '\n';
+    for (const NamedFlow::Parameter& parameter : flow.parameters)
+      text << "    " << parameter.name << '=' << parameter.value << "  " << parameter.meaning << '\n';
+  }
+  return text.str();
+}
+
+/// NAME[:KEY=VALUE,...]
+VelocityField parse_flow(const std::string& text) {
+  const std::size_t colon = text.find(':');
+  std::map<std::string, double> parameters;
+  if (colon != std::string::npos) {
+    for (const std::string& part : split_expressions(text.substr(colon + 1))) {
+      const std::size_t equals = part.find('=');
+      if (equals == std::string::npos || equals == 0)
+        throw UsageError("--flow " + text + ": KEY=VALUE is wanted, not \"" + part + "\"");
+      const std::string key = part.substr(0, equals);
+      if (!parameters.emplace(key, parse_number("--flow: " + key, part.substr(equals + 1))).second)
+        throw UsageError("--flow " + text + ": " + key + " is given twice");
+    }
+  }
+  try {
+    return make_flow(text.substr(0, colon), parameters);
+  } catch (const std::invalid_argument& error) {
+    throw UsageError(std::string("--flow: ") + error.what());
+  }
+}
+
+Expression parse_component(const std::string& option, const std::string& text) {
+  try {
+    return Expression(text);
+  } catch (const std::invalid_argument& error) {
+    throw UsageError(option + ": " + error.what());
+  }
+}
+
+struct VelocityOptions {
+  std::string vx, vy, flow, field;
+  VelocityField velocity;  ///< empty with --velocity-field
+
+  void add(CLI::App& app) {
+    app.add_option("--vx", vx, "velocity along x: an expression in x, y, t")->type_name("EXPR");
+    app.add_option("--vy", vy, "velocity along y: an expression in x, y, t")->type_name("EXPR");
+    app.add_option("--flow", flow, "a named flow; \"help\" lists them")->type_name("NAME[:KEY=VALUE,...]");
+    app.add_option("--velocity-field", field, "a field of two components that the mesh carries")->type_name("NAME");
+  }
+
+  void check(const CLI::App& app) {
+    const bool x = app.count("--vx") > 0;
+    const bool y = app.count("--vy") > 0;
+    if (x != y) throw UsageError("--vx and --vy go together");
+    if (x + (app.count("--flow") > 0) + (app.count("--velocity-field") > 0) != 1)
+      throw UsageError("exactly one of --vx with --vy, --flow and --velocity-field is wanted");
+    if (x) {
+      velocity = [u = parse_component("--vx", vx), v = parse_component("--vy", vy)](const Point& place, double time) {
+        return Vector{u(place.x, place.y, time), v(place.x, place.y, time)};
+      };
+    } else if (app.count("--flow") > 0) {
+      velocity = parse_flow(flow);
+    }
+  }
+
+  /// The index of the field that --velocity-field names.
+  int find(const Mesh& mesh) const {
+    const auto named = std::ranges::find(mesh.fields(), field, &Field::name);
+    if (named == mesh.fields().end()) throw InputError("/fields", "there is no field \"" + field + "\"");
+    const std::string place = "/fields/" + std::to_string(named - mesh.fields().begin());
+    if (named->components != 2)
+      throw InputError(place + "/components", "a velocity has 2 components, not " + std::to_string(named->components));
+    if (named->by_face) throw InputError(place + "/by_face", "a velocity must be continuous, not by face");
+    return static_cast<int>(named - mesh.fields().begin());
+  }
+};
+
+/// Why no step was taken, in words.
+std::string explain(const AdvectOutcome& outcome, double dt) {
+  using Status = AdvectOutcome::Status;
+  std::ostringstream text;
+  text.precision(6);
+  const std::string note = outcome.report.notes.empty() ? "" : outcome.report.notes.front();
+  if (outcome.status == Status::unsafe)
+    text << "a step of " << dt << " is not proved safe beyond " << outcome.fraction << " of it (dt "
+         << outcome.fraction * dt << "): " << note << "; --limit takes a safe part of it";
+  else
+    text << "no step was taken: " << note;
+  return text.str();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app{"Carry a mesh along in a flow by one step, certified: no element is inverted on the way.", "advect"};
+  VelocityOptions flow;
+  FieldOption fields;
+  AdvectOptions options;
+  std::string dt_text, until_text;
+  double dt = 0, until = 0;
+  bool limit = false, force = false;
+  flow.add(app);
+  app.add_option("--dt", dt_text, "the time step")->type_name("DT");
+  app.add_option("--until", until_text, "step by min(DT, T - time); a mesh at T or later passes through")
+      ->type_name("T");
+  app.add_option("--substeps", options.substeps, "Runge-Kutta steps within DT")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1000000))
+      ->capture_default_str();
+  app.add_flag("--limit", limit, "where the step is unsafe, take a shorter one that is safe");
+  app.add_flag("--force", force, "take the step also if it inverts elements");
+  app.add_flag("--keep-area", options.keep_area, "keep the area inside each closed curve, by one normal offset");
+  fields.add(app);
+
+  // --flow help wants no input and no other option, as --help.
+  for (int i = 1; i < argc; ++i) {
+    const std::string argument = argv[i];
+    if (argument == "--flow=help" || (argument == "--flow" && i + 1 < argc && std::string(argv[i + 1]) == "help")) {
+      std::fputs(list_flows().c_str(), stdout);
+      return status::done;
+    }
+  }
+
+  FilterOptions filter;
+  ToolOptions tool;
+  filter.prepare = [&](const ToolOptions& parsed) {
+    tool = parsed;
+    if (limit && force) throw UsageError("--limit and --force exclude each other");
+    if (app.count("--dt") == 0) throw UsageError("--dt is required");
+    dt = parse_positive("--dt", dt_text);
+    if (app.count("--until") > 0) until = parse_number("--until", until_text);
+    options.policy = limit ? StepPolicy::limit : force ? StepPolicy::force : StepPolicy::refuse;
+    flow.check(app);
+    fields.check();
+  };
+  return run_filter(
+      app, argc, argv,
+      [&](Mesh& mesh) {
+        fields.apply(mesh);
+        options.dt = dt;
+        bool reaches = false;
+        if (app.count("--until") > 0) {
+          const double left = until - mesh.time;
+          if (!(left > 0)) {
+            PassReport passed;
+            passed.add("dt", 0);
+            passed.add("time", mesh.time);
+            return passed;
+          }
+          reaches = left <= dt * (1 + same_time);
+          if (reaches) options.dt = left;
+        }
+        AdvectOutcome outcome =
+            flow.velocity ? advect(mesh, flow.velocity, options) : advect_by_field(mesh, flow.find(mesh), options);
+        using Status = AdvectOutcome::Status;
+        if (outcome.status != Status::done && outcome.status != Status::limited)
+          throw NoResult(explain(outcome, options.dt));
+        if (options.policy == StepPolicy::force && outcome.blocking != none)
+          say(tool, "forced an unsafe step: " + outcome.report.notes.back());
+        if (reaches && outcome.status == Status::done) mesh.time = until;
+        return outcome.report;
+      },
+      filter);
+}
