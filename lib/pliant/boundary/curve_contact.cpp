@@ -1,0 +1,179 @@
+#include "pliant/boundary/curve_contact.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include "pliant/boundary/hull_separation.h"
+#include "pliant/geometry/bspline.h"
+
+namespace pliant {
+namespace {
+
+constexpr double least_margin = 1e-13;  // of the pair's size: above the rounding of subdivision
+constexpr double least_piece = 1e-11;   // of the pair's size: smaller pieces that are not apart meet
+constexpr int deepest_corner = 30;      // halvings towards a common end
+constexpr int deepest_self = 40;        // halvings towards a place where a curve stops
+constexpr long most_tests = 2'000'000;  // of one pair; curves that need more are as good as in contact
+
+/// A part of one of the two curves.
+struct Piece {
+  std::array<Point, max_curve_degree + 1> points;
+  int degree;
+  double from, to;  // parameters on the whole curve
+  int from_node, to_node;
+
+  std::span<const Point> polygon() const { return {points.data(), static_cast<std::size_t>(degree) + 1}; }
+  Point& at(int i) { return points[static_cast<std::size_t>(i)]; }
+  const Point& at(int i) const { return points[static_cast<std::size_t>(i)]; }
+  double middle() const { return from + (to - from) / 2; }
+  Vector chord() const { return at(degree) - at(0); }
+};
+
+Piece whole(const ContactCurve& curve, const Point& origin) {
+  Piece piece{{}, static_cast<int>(curve.polygon.size()) - 1, 0, 1, curve.from, curve.to};
+  for (int i = 0; i <= piece.degree; ++i) piece.at(i) = curve.polygon[static_cast<std::size_t>(i)] - origin;
+  return piece;
+}
+
+/// The same piece run backwards, so that its last point comes first.
+Piece reversed(Piece piece) {
+  std::reverse(piece.points.begin(), piece.points.begin() + piece.degree + 1);
+  std::swap(piece.from, piece.to);
+  std::swap(piece.from_node, piece.to_node);
+  return piece;
+}
+
+void shift(Piece& piece, const Point& origin) {
+  for (int i = 0; i <= piece.degree; ++i) piece.at(i) -= origin;
+}
+
+double reach(const Piece& piece) {
+  double most = 0;
+  for (const Point& p : piece.polygon()) most = std::max({most, std::fabs(p.x), std::fabs(p.y)});
+  return most;
+}
+
+double extent(const Piece& piece) {
+  Box box;
+  for (const Point& p : piece.polygon()) box.extend(p);
+  return box.size();
+}
+
+class Search {
+ public:
+  /// First new node: all names of the curves' own ends lie below.
+  explicit Search(int first_node) : next_node_(first_node) {}
+
+  std::pair<Piece, Piece> halves(const Piece& piece) {
+    Piece left = piece, right = piece;
+    const int p = piece.degree, node = next_node_++;
+    for (int r = 1; r <= p; ++r) {
+      for (int i = p; i >= r; --i) left.at(i) = 0.5 * (left.at(i - 1) + left.at(i));
+      right.at(p - r) = left.at(p);
+    }
+    left.to = right.from = piece.middle();
+    left.to_node = right.from_node = node;
+    return {left, right};
+  }
+
+  std::optional<Contact> compare(const Piece& a, const Piece& b) {
+    const bool at_start = a.from_node == b.from_node || a.from_node == b.to_node;
+    const bool at_end = a.to_node == b.from_node || a.to_node == b.to_node;
+    if (at_start && at_end) return compare_halves(a, b);
+    if (at_start) return from_common_end(a, a.from_node == b.from_node ? b : reversed(b));
+    if (at_end) return from_common_end(reversed(a), a.to_node == b.from_node ? b : reversed(b));
+    return apart(a, b);
+  }
+
+  std::optional<Contact> within(const Piece& piece, int depth = 0) {
+    if (runs_along_chord(piece)) return std::nullopt;
+    if (depth == deepest_self)
+      return Contact{Contact::Kind::turns_back, piece.middle(), piece.middle(), piece.at(0), -1};
+    const auto [left, right] = halves(piece);
+    if (auto found = within(left, depth + 1)) return found;
+    if (auto found = within(right, depth + 1)) return found;
+    return compare(left, right);
+  }
+
+ private:
+  /// Every leg makes progress along the chord: no self-contact, and the derivative vanishes nowhere.
+  static bool runs_along_chord(const Piece& piece) {
+    const Vector chord = piece.chord();
+    for (int i = 1; i <= piece.degree; ++i) {
+      const Vector leg = piece.at(i) - piece.at(i - 1);
+      const bool inner = 1 < i && i < piece.degree;
+      if (!(dot(leg, chord) > 0) && !(inner && leg == Vector{})) return false;
+    }
+    return true;
+  }
+
+  std::optional<Contact> compare_halves(const Piece& a, const Piece& b) {
+    const auto [a1, a2] = halves(a);
+    const auto [b1, b2] = halves(b);
+    for (const Piece* i : {&a1, &a2})
+      for (const Piece* j : {&b1, &b2})
+        if (auto found = compare(*i, *j)) return found;
+    return std::nullopt;
+  }
+
+  /// Both start in the same point; coordinates relative to it keep their relative precision all the way down.
+  std::optional<Contact> from_common_end(Piece a, Piece b) {
+    const Point origin = a.at(0);
+    shift(a, origin);
+    shift(b, origin);
+    for (int depth = 0; depth < deepest_corner; ++depth) {
+      if (cones_apart(a.polygon(), b.polygon(), least_margin)) return std::nullopt;
+      const auto [a1, a2] = halves(a);
+      const auto [b1, b2] = halves(b);
+      for (const auto& [i, j] : {std::pair(&a2, &b2), std::pair(&a1, &b2), std::pair(&a2, &b1)})
+        if (auto found = apart(*i, *j)) {
+          found->place += origin;
+          return found;
+        }
+      a = a1;
+      b = b1;
+    }
+    return Contact{Contact::Kind::turns_back, a.from, b.from, origin, a.from_node};
+  }
+
+  std::optional<Contact> apart(Piece a, Piece b) {
+    const double size = std::max(reach(a), reach(b));
+    tests_ = 0;
+    return apart(a, b, size);
+  }
+
+  std::optional<Contact> apart(const Piece& a, const Piece& b, double size) {
+    if (hulls_apart(a.polygon(), b.polygon(), least_margin * size)) return std::nullopt;
+    const double extent_a = extent(a), extent_b = extent(b);
+    if ((extent_a <= least_piece * size && extent_b <= least_piece * size) || ++tests_ > most_tests)
+      return Contact{Contact::Kind::meets, a.middle(), b.middle(), a.at(0)};
+    const bool split_a = extent_a >= extent_b;
+    const auto [one, two] = halves(split_a ? a : b);
+    if (auto found = split_a ? apart(one, b, size) : apart(a, one, size)) return found;
+    return split_a ? apart(two, b, size) : apart(a, two, size);
+  }
+
+  int next_node_;
+  long tests_ = 0;
+};
+
+int above(const ContactCurve& a) { return std::max(a.from, a.to) + 1; }
+
+}  // namespace
+
+std::optional<Contact> find_contact(const ContactCurve& a, const ContactCurve& b) {
+  const Point origin = a.polygon.front();
+  auto found = Search(std::max(above(a), above(b))).compare(whole(a, origin), whole(b, origin));
+  if (found) found->place += origin;
+  return found;
+}
+
+std::optional<Contact> find_self_contact(const ContactCurve& a) {
+  const Point origin = a.polygon.front();
+  auto found = Search(above(a)).within(whole(a, origin));
+  if (found) found->place += origin;
+  return found;
+}
+
+}  // namespace pliant
