@@ -32,6 +32,8 @@ void element_forms(int degree, std::span<const Point> net, ElementForms& forms);
 double distortion(const ElementForms& forms);
 double curved_shape(const ElementForms& forms);
 double jacobian_peak(const ElementForms& forms);
+/// Also a guaranteed lower bound of min det J of the element itself (not divided by the power of two).
+double scaled_jacobian(int degree, std::span<const Point> net, const ElementForms& forms, double& least_jacobian);
 
 /// For each degree p, once: the triangles of the control net, as indices into it, counter-clockwise: first those that
 /// stand as the element does (its partial derivatives are their sides), in the order of NetLayout(p - 1), then those

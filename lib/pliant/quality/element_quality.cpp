@@ -19,17 +19,6 @@ namespace {
 constexpr std::size_t at(int n) { return static_cast<std::size_t>(n); }
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-double largest_turning(int degree, std::span<const Point> net) {
-  const NetLayout& layout = NetLayout::of(degree);
-  std::array<Point, max_degree + 1> polygon;
-  double largest = 0;
-  for (int e = 0; e < 3; ++e) {
-    for (int k = 0; k <= degree; ++k) polygon[at(k)] = net[at(layout.edge_index(e, k))];
-    largest = std::max(largest, turning_angle(std::span(polygon).first(at(degree + 1))));
-  }
-  return largest;
-}
-
 }  // namespace
 
 double distortion(const ElementForms& forms) {
@@ -84,16 +73,23 @@ double shape_at(int degree, std::span<const Point> net, const Barycentric& xi) {
   return triangle_shape({0, 0}, along_2, along_3);
 }
 
+double scaled_jacobian(int degree, std::span<const Point> net, const ElementForms& forms, double& least_jacobian) {
+  least_jacobian = nan;
+  if (!forms.is_finite) return nan;
+  std::array<Point, net_size(max_degree)> scaled;  // so that det J neither overflows nor underflows
+  const double scale = std::ldexp(1.0, -forms.exponent);
+  for (std::size_t n = 0; n < at(net_size(degree)); ++n) scaled[n] = scale * net[n];
+  const auto [least, greatest] = jacobian_range(degree, std::span(scaled).first(at(net_size(degree))));
+  least_jacobian = std::ldexp(least.lower, 2 * forms.exponent);
+  const double size = std::max(std::fabs(least.lower), std::fabs(greatest.upper));
+  return size > 4 * forms.error ? least.lower / size : 0;
+}
+
 double scaled_jacobian(int degree, std::span<const Point> net) {
   ElementForms forms;
   element_forms(degree, net, forms);
-  if (!forms.is_finite) return nan;
-  std::array<Point, net_size(max_degree)> scaled;  // so that det J neither overflows nor underflows
-  for (std::size_t n = 0; n < at(net_size(degree)); ++n)
-    scaled[n] = {std::ldexp(net[n].x, -forms.exponent), std::ldexp(net[n].y, -forms.exponent)};
-  const auto [least, greatest] = jacobian_range(degree, std::span(scaled).first(at(net_size(degree))));
-  const double size = std::max(std::fabs(least.lower), std::fabs(greatest.upper));
-  return size > 4 * forms.error ? least.lower / size : 0;
+  double least_jacobian;
+  return scaled_jacobian(degree, net, forms, least_jacobian);
 }
 
 double control_shape(int degree, std::span<const Point> net) {
@@ -101,6 +97,17 @@ double control_shape(int degree, std::span<const Point> net) {
   for (const auto& [a, b, c] : control_triangles(degree))
     least = std::min(least, triangle_shape(net[at(a)], net[at(b)], net[at(c)]));
   return least;
+}
+
+double element_turning(int degree, std::span<const Point> net) {
+  const NetLayout& layout = NetLayout::of(degree);
+  std::array<Point, max_degree + 1> polygon;
+  double largest = 0;
+  for (int e = 0; e < 3; ++e) {
+    for (int k = 0; k <= degree; ++k) polygon[at(k)] = net[at(layout.edge_index(e, k))];
+    largest = std::max(largest, turning_angle(std::span(polygon).first(at(degree + 1))));
+  }
+  return largest;
 }
 
 double curvature_excess(int degree, std::span<const Point> net, const CurvatureBounds& bounds) {
@@ -111,7 +118,7 @@ double curvature_excess(int degree, std::span<const Point> net, const CurvatureB
   if (!(bending >= 1) || !(shape > 0)) return HUGE_VAL;
   const double logical = triangle_shape(net[0], net[1], net[2]);
   return std::max({bending / bounds.max_distortion, jacobian_peak(forms) / bounds.max_peak,
-                   bounds.min_shape_ratio * logical / shape, largest_turning(degree, net) / bounds.max_turning});
+                   bounds.min_shape_ratio * logical / shape, element_turning(degree, net) / bounds.max_turning});
 }
 
 }  // namespace pliant

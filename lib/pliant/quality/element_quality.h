@@ -23,8 +23,12 @@ double scaled_jacobian(int degree, std::span<const Point> net);
 /// Least tau of the p² straight triangles of the control net (paper §5.5).
 double control_shape(int degree, std::span<const Point> net);
 
-/// max coefficient of det J over 2 A: how much the largest compression exceeds the mean. NaN if the area is not positive.
+/// max coefficient of det J over 2 A: how much the largest compression exceeds the mean. NaN if the area is not
+/// positive.
 double jacobian_peak(int degree, std::span<const Point> net);
+
+/// The largest turning angle of the three edges, in radians.
+double element_turning(int degree, std::span<const Point> net);
 
 /// When is an element too curved? Every member is a bound; the defaults are those of smoothcurves.
 struct CurvatureBounds {

@@ -1,5 +1,4 @@
 #pragma once  // lib/pliant/quality/quality_report.h: the figures of a whole mesh; prints nothing
-#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -13,49 +12,56 @@ namespace pliant {
 struct WorstElement {
   TriangleId triangle;
   double value;
-  Point centroid;
+  Point centroid;  ///< where the element's barycentre lies
 };
-/// One metric over the mesh. Values that do not exist (distortion of an element without area) are left out of all but
-/// `missing`.
+/// One metric over the mesh. Values that do not exist (distortion of an element without area) or overflow are left out
+/// of all but `missing`; where there is no value at all, min, max and mean are NaN.
 struct MetricSummary {
   std::string name;
   double min = 0, max = 0, mean = 0;
   std::int64_t count = 0, missing = 0;
   double histogram_low = 0, histogram_high = 0;
-  std::vector<std::int64_t> histogram;
-  std::vector<WorstElement> worst;  ///< worst first; for lengths and areas the smallest, for turning the largest
+  std::vector<std::int64_t> histogram;  ///< equal bins; the last one holds its upper end, too
+  std::vector<WorstElement> worst;      ///< worst first; for lengths and areas the smallest, for turning the largest
 };
 struct FaceFigures {
   std::string name;
   std::int64_t triangles = 0;
-  double area = 0, perimeter = 0;
+  double area = 0, perimeter = 0;  ///< perimeter: the edges with exactly one triangle of the face
 };
+/// A value a component. `min` and `max` are those of the control values, so bounds of the function; NaN where the field
+/// has no value (a field by face that lacks a place).
 struct FieldFigures {
   std::string name;
-  std::vector<double> min, max, integral;  ///< a value a component
+  std::vector<double> min, max, integral;
 };
+/// Angles are degrees, except the tangent jump.
 struct QualityReport {
   std::int64_t triangles = 0, vertices = 0, control_points = 0;
   int degree = 0;
   double time = 0, area = 0;
   std::int64_t invalid = 0, degenerate = 0;
   std::vector<TriangleId> invalid_elements, degenerate_elements;  ///< the first `worst` of each
-  std::int64_t overlaps = 0;                                      ///< pairs of boundary edges that cross
+  std::int64_t overlaps = 0;  ///< pairs of boundary edges that meet elsewhere than at a common vertex
   std::vector<Fault> faults;
-  std::optional<double>
-      tangent_jump;  ///< largest angle (radians) between one-sided tangents at knots of multiplicity < p
+  /// Largest angle (radians) between one-sided tangents at knots of multiplicity < p, of splines and of mesh edges.
+  std::optional<double> tangent_jump;
   std::vector<FaceFigures> faces;
   std::vector<FieldFigures> fields;
-  std::vector<MetricSummary> metrics;  ///< jacobian, scaled_jacobian, shape, logical_tau, control_tau, distortion,
-                                       ///< logical_angle, turning_angle, edge_length, element_area, in this order
+  /// jacobian (least det J), scaled_jacobian, shape, logical_tau, control_tau, distortion, logical_angle (the least),
+  /// turning_angle (the largest), edge_length (a value an edge), element_area, in this order.
+  std::vector<MetricSummary> metrics;
 };
 struct QualityOptions {
   int worst = 5;
-  int bins = 20;
+  int bins = 20;                   ///< 0: no histograms
   std::vector<std::string> faces;  ///< audit these faces only; empty: all
 };
 
 /// Every metric of the document, which need not satisfy M1–M6: only its arrays must be well-formed (check_arrays).
+/// Faults, overlaps, tangent jump and time are of the whole document, all else of the chosen faces.
+///
+/// Throws      std::invalid_argument where `options.faces` names a face that the document does not have
 QualityReport report_quality(const MeshData& data, const QualityOptions& options = {});
 
 }  // namespace pliant

@@ -1,0 +1,105 @@
+#include "pliant/quality/field_figures.h"  // lib/pliant/quality/field_figures.cpp
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <unordered_map>
+
+#include "pliant/geometry/jacobian.h"
+#include "pliant/geometry/net_layout.h"
+
+namespace pliant {
+namespace {
+
+constexpr std::size_t at(int n) { return static_cast<std::size_t>(n); }
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+/// Row-major: the integral over the unit right triangle of the basis function m of degree p times n of det J.
+std::vector<double> mixed_mass(int degree) {
+  const NetLayout& of_field = NetLayout::of(degree);
+  const NetLayout& of_jacobian = NetLayout::of(jacobian_degree(degree));
+  const NetLayout& product = NetLayout::of(degree + jacobian_degree(degree));
+  std::vector<double> mass;
+  for (int m = 0; m < of_field.size(); ++m) {
+    for (int n = 0; n < of_jacobian.size(); ++n) {
+      const auto &e = of_field.exponents(m), &f = of_jacobian.exponents(n);
+      mass.push_back(of_field.multinomial(m) * of_jacobian.multinomial(n) /
+                     product.multinomial(product.index(e[0] + f[0], e[1] + f[1])) / (2 * product.size()));
+    }
+  }
+  return mass;
+}
+
+/// The integrals of the basis functions over each chosen element.
+std::vector<double> basis_integrals(const MeshData& data, const std::vector<bool>& is_chosen) {
+  const std::size_t n = at(net_size(data.degree)), m = at(net_size(jacobian_degree(data.degree)));
+  const std::vector<double> mass = mixed_mass(data.degree);
+  std::vector<double> result(n * is_chosen.size()), coefficients(m);
+  std::vector<Point> net(n);
+  for (std::size_t t = 0; t < is_chosen.size(); ++t) {
+    if (!is_chosen[t]) continue;
+    for (std::size_t k = 0; k < n; ++k) net[k] = data.points[static_cast<std::size_t>(data.triangles[t * n + k])];
+    jacobian_net(data.degree, net, coefficients);
+    for (std::size_t k = 0; k < n; ++k)
+      for (std::size_t j = 0; j < m; ++j) result[t * n + k] += mass[k * m + j] * coefficients[j];
+  }
+  return result;
+}
+
+/// The row of a field's values that belongs to a control point seen from a face.
+class Rows {
+ public:
+  explicit Rows(const Field& field) : by_face_(field.by_face) {
+    for (std::size_t k = 0; by_face_ && k < field.places.size(); ++k)
+      rows_[key(field.places[k][0], field.places[k][1])] = k;
+  }
+  /// npos where a field by face lacks the place.
+  static constexpr std::size_t npos = std::numeric_limits<std::size_t>::max();
+  std::size_t find(PointId p, FaceId f) const {
+    if (!by_face_) return static_cast<std::size_t>(p);
+    const auto found = rows_.find(key(p, f));
+    return found == rows_.end() ? npos : found->second;
+  }
+
+ private:
+  static std::uint64_t key(std::int32_t p, std::int32_t f) {
+    return static_cast<std::uint64_t>(p) << 32 | static_cast<std::uint32_t>(f);
+  }
+  bool by_face_;
+  std::unordered_map<std::uint64_t, std::size_t> rows_;
+};
+
+}  // namespace
+
+std::vector<FieldFigures> field_figures(const MeshData& data, const std::vector<bool>& is_chosen) {
+  std::vector<FieldFigures> result;
+  if (data.fields.empty()) return result;
+  const std::size_t n = at(net_size(data.degree));
+  const std::vector<double> weights = basis_integrals(data, is_chosen);
+  for (const Field& field : data.fields) {
+    const std::size_t components = at(field.components);
+    FieldFigures figures{field.name, std::vector<double>(components, HUGE_VAL),
+                         std::vector<double>(components, -HUGE_VAL), std::vector<double>(components, 0.0)};
+    const Rows rows(field);
+    for (std::size_t k = 0; k < weights.size(); ++k) {
+      const std::size_t t = k / n;
+      if (!is_chosen[t]) continue;
+      const std::size_t row = rows.find(data.triangles[k], data.triangle_faces[t]);
+      for (std::size_t c = 0; c < components; ++c) {
+        const double value = row == Rows::npos ? nan : field.values[row * components + c];
+        figures.integral[c] += weights[k] * value;
+        if (std::isnan(value)) continue;
+        figures.min[c] = std::min(figures.min[c], value);
+        figures.max[c] = std::max(figures.max[c], value);
+      }
+    }
+    for (std::size_t c = 0; c < components; ++c)
+      if (figures.min[c] > figures.max[c]) figures.min[c] = figures.max[c] = figures.integral[c] = nan;
+    result.push_back(std::move(figures));
+  }
+  return result;
+}
+
+}  // namespace pliant
