@@ -33,7 +33,10 @@ std::string without_position(const std::string& message) {
 
 [[noreturn]] void refuse(const std::string& text, const std::string& why, int position) {
   std::string message = "\"" + text + "\": " + why;
-  if (position >= 0) message += " (at character " + std::to_string(position + 1) + ")";
+  if (position >= static_cast<int>(text.size()))
+    message += " (at the end)";
+  else if (position >= 0)
+    message += " (at character " + std::to_string(position + 1) + ")";
   throw std::invalid_argument(message);
 }
 
