@@ -21,11 +21,9 @@ struct EdgeCurves {
   }
 };
 
-/// The number of pairs of edges that meet elsewhere than at a common vertex.
-///
-/// Edges with a common vertex count only where they are proved to cross; others also where they touch, that is where
-/// subdivision down to 1e-12 of the size cannot part them. An edge that crosses itself does not count.
-/// Complexity  O(n log n + candidate pairs of boxes), pairs decided by subdivision
+/// The number of pairs of edges that meet elsewhere than at a common vertex: that cross, touch, or are closer than
+/// 1e-11 of their size, as check_boundary_geometry has it. A cusp at a common vertex does not count, nor does an edge
+/// that crosses itself. Complexity  O(n log n + pairs of boxes that overlap), pairs decided by subdivision
 std::int64_t count_crossings(const EdgeCurves& edges);
 
 }  // namespace pliant
