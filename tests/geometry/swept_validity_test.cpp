@@ -101,3 +101,19 @@ TEST_CASE("the safe fraction does not depend on scale", "[geometry][property]") 
     CHECK(safe_fraction(degree, small_from, small_to) == safe_fraction(degree, from, to));
   }
 }
+
+TEST_CASE("an element with a cusp moves, though its corner is never valid", "[geometry]") {
+  // Between the parabola y = x^2 / 2 and its tangent y = 0.
+  const std::vector<Point> from{{0, 0}, {1, 0}, {1, 0.5}, {0.5, 0}, {1, 0.25}, {0.5, 0}};
+  auto moved = from;
+  for (Point& p : moved) p = Point{0.6 * p.x - 0.3 * p.y, 0.3 * p.x + 0.6 * p.y} + Point{0.1, 0.7};
+  CHECK(safe_fraction(2, from, moved) == 0);
+  CHECK(safe_fraction(2, from, moved, 0) == 1);
+  CHECK(safe_fraction(2, from, moved, 1) == 0);
+  CHECK(safe_fraction(2, from, from, 0) == 1);
+  auto crossed = from;  // the parabola turns over at half way
+  for (const std::size_t n : {2, 4}) crossed[n].y = -from[n].y;
+  const double f = safe_fraction(2, from, crossed, 0);
+  CHECK(f <= 0.5);
+  CHECK(f >= 0.499);
+}

@@ -17,6 +17,7 @@ namespace {
 
 constexpr std::size_t at(int n) { return static_cast<std::size_t>(n); }
 constexpr double finest_interval = 0x1p-12;
+constexpr int depth_at_cusp = 20;  // two bisections halve the diameter
 
 /// det J(xi, t) in tensor Bernstein form: for each of the three coefficients in time a net in lattice order.
 struct SweptJacobian {
@@ -84,22 +85,26 @@ bool sweep(int degree, std::span<const Point> from, std::span<const Point> to, S
 /// Proves det J > 0 on the whole element for all times of one interval, or gives up.
 class IntervalProof {
  public:
-  explicit IntervalProof(const SweptJacobian& jacobian) : jacobian_(jacobian), size_(at(net_size(jacobian.degree))) {}
+  IntervalProof(const SweptJacobian& jacobian, int cusp)
+      : jacobian_(jacobian), cusp_(cusp), size_(at(net_size(jacobian.degree))) {}
 
   bool holds_on(double begin, double end) {
     const bool is_finest = end - begin <= finest_interval;
     const int most_pieces = is_finest ? 4000 : 60;
     restrict_to(begin, end);
     const double error = jacobian_.error + 16 * unit_roundoff * jacobian_.greatest;  // two interpolations in time
-    for (int count = 0; !depths_.empty(); ++count) {
-      const int depth = depths_.back();
-      depths_.pop_back();
+    for (int count = 0; !pieces_.empty(); ++count) {
+      const auto [depth, cusp] = pieces_.back();
+      pieces_.pop_back();
       const double bound = error + 2 * depth * jacobian_.degree * unit_roundoff * jacobian_.greatest;
       piece_.assign(stack_.end() - static_cast<std::ptrdiff_t>(3 * size_), stack_.end());
       stack_.resize(stack_.size() - 3 * size_);
       if (*std::min_element(piece_.begin(), piece_.end()) > bound) continue;
-      if (count >= most_pieces || !is_positive_at_corners(bound)) return false;
-      bisect(depth + 1);
+      if (cusp >= 0 && depth >= depth_at_cusp) continue;
+      if (count >= most_pieces || !is_positive_at_corners(bound, cusp)) return false;
+      bisect();
+      pieces_.push_back({depth + 1, corner_in_left(cusp)});
+      pieces_.push_back({depth + 1, corner_in_right(cusp)});
     }
     return true;
   }
@@ -109,7 +114,7 @@ class IntervalProof {
   void restrict_to(double begin, double end) {
     const auto mix = [](double s, double x, double y) { return (1 - s) * x + s * y; };
     stack_.resize(3 * size_);
-    depths_.assign(1, 0);
+    pieces_.assign(1, {0, cusp_});
     for (std::size_t n = 0; n < size_; ++n) {
       const auto& c = jacobian_.coefficients;
       const double first[2] = {mix(begin, c[0][n], c[1][n]), mix(begin, c[1][n], c[2][n])};
@@ -121,25 +126,32 @@ class IntervalProof {
   }
 
   /// The values of det J at the piece's corners when the interval begins and ends.
-  bool is_positive_at_corners(double bound) const {
-    for (const int c : lattice_corners(jacobian_.degree))
-      if (piece_[at(c)] <= bound || piece_[2 * size_ + at(c)] <= bound) return false;
+  bool is_positive_at_corners(double bound, int cusp) const {
+    const std::array<int, 3> corners = lattice_corners(jacobian_.degree);
+    for (int c = 0; c < 3; ++c) {
+      const std::size_t n = at(corners[at(c)]);
+      if (c != cusp && (piece_[n] <= bound || piece_[2 * size_ + n] <= bound)) return false;
+    }
     return true;
   }
 
-  void bisect(int depth) {
+  void bisect() {
     const std::size_t old = stack_.size();
     stack_.resize(old + 6 * size_);
     for (std::size_t m = 0; m < 3; ++m)
       bisect_net<FloatingMean>(jacobian_.degree, &piece_[m * size_], &stack_[old + m * size_],
                                &stack_[old + (3 + m) * size_], row_);
-    depths_.insert(depths_.end(), 2, depth);
   }
 
+  struct Place {
+    int depth;
+    int cusp;  // the corner of the piece that is forgiven, or -1
+  };
   const SweptJacobian& jacobian_;
+  int cusp_;
   std::size_t size_;
   std::vector<double> stack_;  // three nets a piece
-  std::vector<int> depths_;
+  std::vector<Place> pieces_;
   std::vector<double> piece_;
   std::vector<double> row_;
 };
@@ -153,9 +165,14 @@ double proved_until(IntervalProof& proof, double begin, double end) {
   return reached < middle ? reached : proved_until(proof, middle, end);
 }
 
+bool is_valid(int degree, std::span<const Point> net, int cusp) {
+  return (cusp < 0 ? certify(degree, net) : certify_cusp(degree, net, cusp)) == Validity::valid;
+}
+
 }  // namespace
 
-double safe_fraction(int degree, std::span<const Point> from, std::span<const Point> to) {
+double safe_fraction(int degree, std::span<const Point> from, std::span<const Point> to, int cusp) {
+  assert(-1 <= cusp && cusp < 3);
   assert(1 <= degree && degree <= max_degree);
   assert(from.size() >= at(net_size(degree)) && to.size() >= at(net_size(degree)));
   SweptJacobian jacobian;
@@ -166,8 +183,8 @@ double safe_fraction(int degree, std::span<const Point> from, std::span<const Po
   });
   if (is_all_positive) return 1;
   if (std::equal(from.begin(), from.begin() + net_size(degree), to.begin()))
-    return certify(degree, from) == Validity::valid ? 1 : 0;  // at rest, the exact answer holds for all times
-  IntervalProof proof(jacobian);
+    return is_valid(degree, from, cusp) ? 1 : 0;  // at rest, the exact answer holds for all times
+  IntervalProof proof(jacobian, cusp);
   return proved_until(proof, 0, 1);
 }
 

@@ -11,6 +11,10 @@ namespace pliant {
 ///
 /// det J(xi, t) is a polynomial of degree 2(p - 1) in xi and 2 in t; its tensor Bernstein form, with a floating-point
 /// error bound, proves each time interval, which is halved where it does not (design: Motion, certified).
-double safe_fraction(int degree, std::span<const Point> from, std::span<const Point> to);
+///
+/// `cusp` names a corner (0, 1, 2) where det J is 0 by the boundary's will, -1 for none. On the way its two tangents
+/// are parallel up to rounding only, so nothing is asked, nor proved, within 2^-10 of the element around that corner;
+/// after the step certify_cusp decides.
+double safe_fraction(int degree, std::span<const Point> from, std::span<const Point> to, int cusp = -1);
 
 }  // namespace pliant
