@@ -3,10 +3,11 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cstdlib>
 #include <cstring>
+#include <new>
 #include <system_error>
 #include <utility>
-#include <vector>
 
 #include "formats/mesh_json.h"
 
@@ -62,13 +63,17 @@ class ObjectEnd {
   bool in_string_ = false, escaped_ = false;
 };
 
+struct Freer {
+  void operator()(char* memory) const { std::free(memory); }
+};
+
 }  // namespace
 
 struct DocumentStream::State {
   std::FILE* stream;
   std::string name;
-  std::vector<char> buffer;  // [begin, end) is read and not yet given away
-  std::size_t begin = 0, end = 0;
+  std::unique_ptr<char, Freer> buffer;  // [begin, end) is read and not yet given away
+  std::size_t room = 0, begin = 0, end = 0;
   bool at_end = false;
   long frame = -1;
   long line = 1;        // of buffer[begin]
@@ -77,31 +82,41 @@ struct DocumentStream::State {
   /// Reads more behind `end`; false at the end of the stream.
   bool fill() {
     if (at_end) return false;
-    if (begin > 0 && (end == begin || buffer.size() == end)) {
-      std::memmove(buffer.data(), buffer.data() + begin, end - begin);
+    if (begin > 0 && (end == begin || room == end)) {
+      std::memmove(buffer.get(), buffer.get() + begin, end - begin);
       end -= begin;
       begin = 0;
     }
-    if (buffer.size() == end) buffer.resize(std::max<std::size_t>(2 * buffer.size(), 1 << 16));
-    const std::size_t got = read_some(buffer.data() + end, buffer.size() - end);
+    if (room == end) grow();
+    const std::size_t got = read_some(buffer.get() + end, room - end);
     end += got;
     at_end = got == 0;
     return got > 0;
   }
 
+  /// By realloc, which moves pages rather than bytes and clears none.
+  void grow() {
+    const std::size_t wanted = std::max<std::size_t>(2 * room, 1 << 16);
+    char* larger = static_cast<char*>(std::realloc(buffer.get(), wanted));
+    if (larger == nullptr) throw std::bad_alloc();
+    (void)buffer.release();
+    buffer.reset(larger);
+    room = wanted;
+  }
+
   /// What there is, without waiting for more: the first frame of a slow series is worked on while the next one is made.
   /// Streams without a file descriptor are in memory.
-  std::size_t read_some(char* to, std::size_t room) {
+  std::size_t read_some(char* to, std::size_t count) {
     const int file = fileno(stream);
     for (;;) {
-      const ssize_t got = file < 0 ? static_cast<ssize_t>(std::fread(to, 1, room, stream)) : ::read(file, to, room);
+      const ssize_t got = file < 0 ? static_cast<ssize_t>(std::fread(to, 1, count, stream)) : ::read(file, to, count);
       if (got >= 0) return static_cast<std::size_t>(got);
       if (errno != EINTR) throw std::system_error(errno, std::generic_category(), "reading " + name);
     }
   }
 
   void pass(std::size_t count) {
-    const char* first = buffer.data() + begin;
+    const char* first = buffer.get() + begin;
     line += std::count(first, first + count, '\n');
     begin += count;
   }
@@ -109,8 +124,8 @@ struct DocumentStream::State {
   /// Passes white space; false at the end of the stream.
   bool find_start() {
     for (;;) {
-      const char* first = buffer.data() + begin;
-      const char* last = buffer.data() + end;
+      const char* first = buffer.get() + begin;
+      const char* last = buffer.get() + end;
       const char* start = std::find_if_not(first, last, is_space);
       pass(static_cast<std::size_t>(start - first));
       if (start != last) return true;
@@ -123,8 +138,8 @@ struct DocumentStream::State {
     ObjectEnd scanner;
     std::size_t scanned = 0;
     for (;;) {
-      const char* first = buffer.data() + begin;
-      const char* stop = scanner.scan(first + scanned, buffer.data() + end);
+      const char* first = buffer.get() + begin;
+      const char* stop = scanner.scan(first + scanned, buffer.get() + end);
       if (stop != nullptr) return static_cast<std::size_t>(stop - first);
       scanned = end - begin;
       if (!fill()) return scanned;
@@ -134,7 +149,7 @@ struct DocumentStream::State {
   /// The offset of the next line break at or behind `offset`, or of the end of the stream.
   std::size_t find_line_end(std::size_t offset) {
     for (;;) {
-      const char* first = buffer.data() + begin;
+      const char* first = buffer.get() + begin;
       if (const void* found = std::memchr(first + offset, '\n', end - begin - offset))
         return static_cast<std::size_t>(static_cast<const char*>(found) - first);
       offset = end - begin;
@@ -155,9 +170,9 @@ bool DocumentStream::next(std::string_view& document) {
   ++s.frame;
   s.first_line = s.line;
   // What follows an object on its line, or is no object at all, goes to the reader, which refuses it.
-  const std::size_t object = s.buffer[s.begin] == '{' ? s.find_object_end() : 0;
+  const std::size_t object = s.buffer.get()[s.begin] == '{' ? s.find_object_end() : 0;
   const std::size_t size = s.find_line_end(object);
-  document = {s.buffer.data() + s.begin, size};
+  document = {s.buffer.get() + s.begin, size};
   s.pass(size);
   return true;
 }
