@@ -48,7 +48,8 @@ TEST_CASE("every named flow is finite everywhere and free of divergence outside 
 
 TEST_CASE("the flow past a cylinder is tangent to it, continuous across it and uniform far away", "[flow]") {
   const Point centre{0.5, -0.25};
-  const VelocityField v = make_flow("cylinder", {{"r", 0.75}, {"u", 2}, {"x", 0.5}, {"y", -0.25}, {"circulation", 3}});
+  const VelocityField v =
+      make_flow("cylinder", {{"radius", 0.75}, {"speed", 2}, {"x", 0.5}, {"y", -0.25}, {"circulation", 3}});
   for (int i = 0; i < 64; ++i) {
     const Vector outward{std::cos(0.1 * i), std::sin(0.1 * i)};
     CHECK(std::abs(dot(v(centre + 0.75 * outward, 0), outward)) < 1e-14);
@@ -96,8 +97,8 @@ TEST_CASE("the vortices have their circulation", "[flow]") {
 TEST_CASE("wrong names and parameters of flows are refused in words that say what there is", "[flow]") {
   using Catch::Matchers::Contains;
   CHECK_THROWS_WITH(make_flow("whirl", {}), Contains("whirl") && Contains("taylor-green"));
-  CHECK_THROWS_WITH(make_flow("cylinder", {{"radius", 1}}), Contains("radius") && Contains("circulation"));
-  CHECK_THROWS_WITH(make_flow("cylinder", {{"r", 0}}), Contains("r must be greater than 0"));
+  CHECK_THROWS_WITH(make_flow("cylinder", {{"r", 1}}), Contains("\"r\"") && Contains("circulation"));
+  CHECK_THROWS_WITH(make_flow("cylinder", {{"radius", 0}}), Contains("radius must be greater than 0"));
   CHECK_THROWS_WITH(make_flow("uniform", {{"u", std::nan("")}}), Contains("u must be finite"));
   CHECK_THROWS_WITH(make_flow("channel", {{"top", -1}}), Contains("top must be greater than bottom"));
 }

@@ -86,7 +86,8 @@ VelocityField make_taylor_green(const Values& v) {
 
 VelocityField make_cylinder(const Values& v) {
   const Point centre{v["x"], v["y"]};
-  return [centre, r2 = v["r"] * v["r"], speed = v["u"], swirl = v["circulation"] / (2 * pi)](const Point& x, double) {
+  return [centre, r2 = v["radius"] * v["radius"], speed = v["speed"], swirl = v["circulation"] / (2 * pi)](
+             const Point& x, double) {
     const Vector d = x - centre;
     const double rho2 = squared_length(d);
     if (rho2 < r2) {
@@ -105,7 +106,7 @@ VelocityField make_channel(const Values& v) {
   const double low = v["bottom"];
   const double high = v["top"];
   if (!(high > low)) throw std::invalid_argument("flow channel: top must be greater than bottom");
-  return [low, high, speed = v["u"]](const Point& x, double) {
+  return [low, high, speed = v["speed"]](const Point& x, double) {
     const double s = (x.y - low) / (high - low);
     return Vector{s > 0 && s < 1 ? 4 * speed * s * (1 - s) : 0.0, 0};
   };
@@ -174,16 +175,16 @@ const std::vector<Entry>& entries() {
         "potential flow along x past a cylinder; inside the cylinder a closed vortex of the same velocity on the "
         "circle, "
         "smooth and free of divergence",
-        {{"r", 1, "radius"},
-         {"u", 1, "speed far away"},
+        {{"radius", 1, "of the cylinder"},
+         {"speed", 1, "far away"},
          {"x", 0, "centre"},
          {"y", 0, "centre"},
          {"circulation", 0, "counter-clockwise, around the cylinder"}}},
-       {"r"},
+       {"radius"},
        make_cylinder},
       {{"channel",
         "Poiseuille flow along x between two walls, at rest outside",
-        {{"u", 1, "speed in the middle"},
+        {{"speed", 1, "in the middle"},
          {"bottom", 0, "height of the lower wall"},
          {"top", 1, "height of the upper wall"}}},
        {},
