@@ -29,7 +29,7 @@ class WorkRows {
   double* data_;
 };
 
-bool has_size(std::size_t size, int rows, int width) {
+[[maybe_unused]] bool has_size(std::size_t size, int rows, int width) {
   return size >= static_cast<std::size_t>(rows) * static_cast<std::size_t>(width);
 }
 

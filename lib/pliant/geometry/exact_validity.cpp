@@ -34,8 +34,9 @@ std::pair<std::int64_t, int> mantissa_and_exponent(double x) {
 
 Integer scaled(double x, int least_exponent) {
   const auto [mantissa, exponent] = mantissa_and_exponent(x);
-  if (mantissa == 0) return 0;
-  return Integer(mantissa) << (exponent - least_exponent);
+  Integer result = mantissa;
+  if (mantissa != 0) result <<= exponent - least_exponent;
+  return result;
 }
 
 struct Partials {
