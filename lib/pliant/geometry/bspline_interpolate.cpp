@@ -157,9 +157,10 @@ bool BSpline::interpolate(std::span<const Point> values) {
       double carried = 0;
       for (int j = 0; j < r; ++j) {
         const double high = knot(k + j + 1), low = knot(k + j + 1 - r);
-        const double share = basis[static_cast<std::size_t>(j)] / (high - low);
-        basis[static_cast<std::size_t>(j)] = carried + (high - g) * share;
-        carried = (g - low) * share;
+        // Quotients first: at a knot they are exactly 0 and 1, and so a row there is one of the identity.
+        const double value = basis[static_cast<std::size_t>(j)], extent = high - low;
+        basis[static_cast<std::size_t>(j)] = carried + (high - g) / extent * value;
+        carried = (g - low) / extent * value;
       }
       basis[static_cast<std::size_t>(r)] = carried;
     }
