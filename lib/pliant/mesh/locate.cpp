@@ -66,7 +66,7 @@ std::optional<Location> Locator::walk(const Point& p, TriangleId hint) {
       if ((*xi)[static_cast<std::size_t>(c)] >= -inside_tolerance) break;
       const HalfEdgeId across = mesh_.twin(half_edge(t, (c + 1) % 3));  // opposite corner c
       if (across == none) continue;
-      const auto* end = visited.data() + tried;
+      TriangleId* const end = visited.data() + tried;
       if (std::find(visited.data(), end, triangle_of(across)) != end) continue;
       to = triangle_of(across);
       break;

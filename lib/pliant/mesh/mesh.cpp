@@ -136,6 +136,12 @@ void Mesh::put_fields(PointId p, FaceId f, std::span<const double> row) {
   }
 }
 
+void Mesh::put_component(int field, int component, PointId p, FaceId f, double value) {
+  std::ptrdiff_t first = value_index(field, p, f);
+  if (first < 0) first = static_cast<std::ptrdiff_t>(make_place(p, f)) * fields_[at(field)].components;
+  put_value(at(field), at(first + component), value);
+}
+
 void Mesh::put_row(PointId p, FaceId f, std::span<const double> row) {
   set_point(p, {row[0], row[1]});
   put_fields(p, f, row);

@@ -90,6 +90,8 @@ class Mesh {
   void put_row(PointId p, FaceId f, std::span<const double> row);
   /// Only the fields (columns 2..) of the row.
   void put_fields(PointId p, FaceId f, std::span<const double> row);
+  /// One component of one field at one control point (`f` matters for fields by face only).
+  void put_component(int field, int component, PointId p, FaceId f, double value);
   PointId add_point();
   void free_point(PointId p);
   /// A triangle of face f with an unset net and no neighbours.

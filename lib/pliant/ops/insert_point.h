@@ -5,7 +5,7 @@
 namespace pliant {
 
 struct InsertResult {
-  Refusal refusal = Refusal::none;
+  Refusal refusal = Refusal::done;
   PointId vertex = none;
 };
 

@@ -1,9 +1,9 @@
 #pragma once  // lib/pliant/ops/outcome.h: what an operation says when it refuses
 namespace pliant {
 
-/// The closed list of reasons. After any of them but `none` the mesh is bit for bit as it was.
+/// The closed list of reasons. After any of them but `done` the mesh is bit for bit as it was.
 enum class Refusal {
-  none,               ///< done
+  done,               ///< the operation was carried out
   outer_boundary,     ///< the edge has one triangle
   constrained,        ///< the edge lies on a curve
   corner,             ///< the vertex ends a curve, or several curves meet there
@@ -13,7 +13,7 @@ enum class Refusal {
   would_invert,       ///< no valid place for the new control points
   not_removable,      ///< the star cannot be reduced, or the curve is at its minimum
   exceeds_tolerance,  ///< knot removal would move the curve too far
-  outside             ///< the point is not in the domain
+  not_in_domain       ///< the point is outside
 };
 /// The reason in a few words, for reports.
 const char* describe(Refusal refusal);

@@ -1,4 +1,6 @@
 #pragma once  // lib/pliant/ops/remove_point.h: a vertex of degree three, and splits undone (paper §5.2.2)
+#include <cmath>
+
 #include "pliant/mesh/mesh.h"
 #include "pliant/ops/outcome.h"
 
@@ -13,11 +15,18 @@ Refusal remove_degree_three(Mesh& mesh, PointId v, const RefitOptions& options =
 Refusal remove_inner_vertex(Mesh& mesh, PointId v, const RefitOptions& options = {});
 
 struct CurveRemoval {
-  Refusal refusal = Refusal::none;
+  Refusal refusal = Refusal::done;
   double error = 0;  ///< bound of the distance between old and new curve
 };
+/// Bounds of what removing a knot may do to its curve.
+struct CurveTolerance {
+  double total;            ///< of the curve's accumulated error (length)
+  double step = HUGE_VAL;  ///< of this removal's own error (length)
+  bool keep_area = false;  ///< control points near the knot take up the change of the area that the curve sweeps
+};
 /// Removes a vertex in the interior of a curve: knot removal with its footprint, 4→2 or 2→1 after the ears. Refused
-/// when the curve's accumulated error would exceed `tolerance` (length).
-CurveRemoval remove_curve_vertex(Mesh& mesh, PointId v, double tolerance, const RefitOptions& options = {});
+/// when an error would exceed its bound.
+CurveRemoval remove_curve_vertex(Mesh& mesh, PointId v, const CurveTolerance& tolerance,
+                                 const RefitOptions& options = {});
 
 }  // namespace pliant

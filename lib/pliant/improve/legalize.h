@@ -1,0 +1,28 @@
+#pragma once  // lib/pliant/improve/legalize.h: is an edge locally Delaunay, and flips that make edges so
+#include <vector>
+
+#include "pliant/mesh/mesh.h"
+#include "pliant/ops/outcome.h"
+
+namespace pliant {
+
+enum class EdgeState {
+  delaunay,      ///< locally Delaunay, constrained, or on the outer boundary
+  not_delaunay,  ///< its flip is wanted and its four logical triangles are positive
+  inverted       ///< one of the old or new logical triangles is not positive: not tested
+};
+/// The state of an edge in the logical mesh, by exact predicates.
+EdgeState edge_state(const Mesh& mesh, HalfEdgeId h);
+
+struct LegalizeCounts {
+  long flips = 0;
+  std::vector<std::pair<Refusal, long>> refusals;
+  void refuse(Refusal reason);
+};
+/// Flips the edges on the stack, and what their flips disturb, until all are locally Delaunay or refused. Empties the
+/// stack. Terminates: every flip lowers the lifted volume strictly.
+/// `touched`, if given, receives the triangles of every flip.
+void legalize(Mesh& mesh, std::vector<HalfEdgeId>& stack, const RefitOptions& refit, LegalizeCounts& counts,
+              long max_flips = -1, std::vector<TriangleId>* touched = nullptr);
+
+}  // namespace pliant

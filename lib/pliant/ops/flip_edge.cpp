@@ -1,0 +1,65 @@
+#include "pliant/ops/flip_edge.h"
+
+#include <array>
+
+#include "pliant/geometry/predicates.h"
+#include "pliant/mesh/star.h"
+#include "pliant/ops/build_triangle.h"
+#include "pliant/ops/refit.h"
+
+namespace pliant {
+namespace {
+
+/// The tangents of two sides that meet at a corner turn left there: det J > 0 is possible at that corner. `into` ends
+/// where `out` starts.
+bool turns_left(const Mesh& mesh, const EdgePoints& into, const EdgePoints& out) {
+  const int p = mesh.degree();
+  return orient2d(mesh.point(into[p - 1]), mesh.point(into[p]), mesh.point(out[1])) > 0;
+}
+
+}  // namespace
+
+Refusal flip_edge(Mesh& mesh, HalfEdgeId h, const RefitOptions& options) {
+  const HalfEdgeId g = mesh.twin(h);
+  if (g == none) return Refusal::outer_boundary;
+  if (mesh.is_constrained(h)) return Refusal::constrained;
+  const TriangleId t = triangle_of(h), u = triangle_of(g);
+  const PointId a = mesh.origin(h), b = mesh.target(h), c = mesh.apex(h), d = mesh.apex(g);
+  const Point &pa = mesh.point(a), &pb = mesh.point(b), &pc = mesh.point(c), &pd = mesh.point(d);
+  if (orient2d(pa, pd, pc) <= 0 || orient2d(pd, pb, pc) <= 0 || orient2d(pa, pb, pc) <= 0 || orient2d(pb, pa, pd) <= 0)
+    return Refusal::not_convex;
+  if (c == d || find_half_edge(mesh, c, d) != none || find_half_edge(mesh, d, c) != none) return Refusal::edge_exists;
+
+  const Side bc = side_of(mesh, next(h)), ca = side_of(mesh, previous(h));
+  const Side ad = side_of(mesh, next(g)), db = side_of(mesh, previous(g));
+  if (!turns_left(mesh, ca.points, ad.points) || !turns_left(mesh, db.points, bc.points)) return Refusal::covers_corner;
+
+  Transaction transaction(mesh);
+  thread_local Patch patch;
+  const std::array<TriangleId, 2> pair{t, u};
+  patch.capture(mesh, pair);
+  const EdgePoints old = side_of(mesh, h).points;
+  const InnerPoints inner_t = inner_points(mesh, t), inner_u = inner_points(mesh, u);
+  const int p = mesh.degree(), e = edge_of(h), f = edge_of(g);
+  const EdgePoints dc = new_edge(d, c, {old.ids.data() + 1, static_cast<std::size_t>(p - 1)}, p);
+  build_triangle(mesh, t, dc, ca.points, ad.points, inner_t, e);
+  build_triangle(mesh, u, dc.reversed(), db.points, bc.points, inner_u, f);
+  attach(mesh, half_edge(t, (e + 1) % 3), ca);
+  attach(mesh, half_edge(t, (e + 2) % 3), ad);
+  attach(mesh, half_edge(u, (f + 1) % 3), db);
+  attach(mesh, half_edge(u, (f + 2) % 3), bc);
+
+  std::array<PointId, (max_degree - 1) * (max_degree - 1)> free;
+  std::size_t count = 0;
+  for (int k = 1; k < p; ++k) free[count++] = dc[k];
+  for (int k = 0; k < interior_size(p); ++k) {
+    free[count++] = inner_t[static_cast<std::size_t>(k)];
+    free[count++] = inner_u[static_cast<std::size_t>(k)];
+  }
+  if (!patch.fit_geometry(mesh, pair, {free.data(), count})) return Refusal::would_invert;
+  patch.fit_fields(mesh, pair, {free.data(), count}, options);
+  transaction.commit();
+  return Refusal::done;
+}
+
+}  // namespace pliant

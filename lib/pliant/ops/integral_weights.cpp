@@ -1,0 +1,51 @@
+// Exact integrals of a field over an element: linear in its control values.
+#include <array>
+#include <mutex>
+#include <vector>
+
+#include "pliant/geometry/jacobian.h"
+#include "pliant/ops/refit.h"
+
+namespace pliant {
+namespace {
+
+/// ∫ B^p_k B^d_m over the unit right triangle, k by m, for d = 2 (p - 1).
+std::vector<double> make_table(int p) {
+  const int d = jacobian_degree(p);
+  const NetLayout &fields = NetLayout::of(p), &jacobians = NetLayout::of(d), &products = NetLayout::of(p + d);
+  std::vector<double> table;
+  for (int k = 0; k < fields.size(); ++k)
+    for (int m = 0; m < jacobians.size(); ++m) {
+      const auto& a = fields.exponents(k);
+      const auto& b = jacobians.exponents(m);
+      const double c = fields.multinomial(k) * jacobians.multinomial(m) /
+                       products.multinomial(products.index(a[0] + b[0], a[1] + b[1]));
+      table.push_back(c / ((p + d + 1) * (p + d + 2)));
+    }
+  return table;
+}
+
+const std::vector<double>& table_of(int p) {
+  static std::array<std::once_flag, max_degree + 1> once;
+  static std::array<std::vector<double>, max_degree + 1> tables;
+  const auto k = static_cast<std::size_t>(p);
+  std::call_once(once[k], [&] { tables[k] = make_table(p); });
+  return tables[k];
+}
+
+}  // namespace
+
+void integral_weights(int degree, std::span<const Point> net, std::span<double> weights) {
+  std::array<double, net_size(2 * (max_degree - 1))> jacobian;
+  const auto n = static_cast<std::size_t>(net_size(degree)),
+             d = static_cast<std::size_t>(net_size(jacobian_degree(degree)));
+  jacobian_net(degree, net, {jacobian.data(), d});
+  const double* entry = table_of(degree).data();
+  for (std::size_t k = 0; k < n; ++k) {
+    double sum = 0;
+    for (std::size_t m = 0; m < d; ++m) sum += *entry++ * jacobian[m];
+    weights[k] = sum;
+  }
+}
+
+}  // namespace pliant

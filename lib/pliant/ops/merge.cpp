@@ -1,0 +1,112 @@
+#include "pliant/ops/merge.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "pliant/mesh/star.h"
+#include "pliant/ops/flip_edge.h"
+#include "pliant/ops/recover_parent.h"
+
+namespace pliant {
+namespace {
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+/// How deep v lies in the circle of an ear (power of the point, negative of its sign): small ears go first.
+double depth_in_circle(const Point& a, const Point& b, const Point& c, const Point& v) {
+  const Vector p = a - v, q = b - v, r = c - v;
+  const double lifted =
+      squared_length(p) * cross(q, r) + squared_length(q) * cross(r, p) + squared_length(r) * cross(p, q);
+  return lifted / cross(b - a, c - a);
+}
+
+}  // namespace
+
+bool reduce_fan(Mesh& mesh, PointId v, Fan& fan, bool closed, int triangles, const RefitOptions& options) {
+  thread_local std::vector<std::pair<double, int>> ears;
+  for (;;) {
+    const int count = static_cast<int>(fan.size()), left = closed ? count : count - 1;
+    if (left <= triangles) return left == triangles;
+    ears.clear();
+    for (int i = closed ? 0 : 1; i < (closed ? count : count - 1); ++i) {
+      const Point &a = mesh.point(fan[at((i + count - 1) % count)]), &b = mesh.point(fan[at(i)]),
+                  &c = mesh.point(fan[at((i + 1) % count)]);
+      if (cross(b - a, c - a) > 0) ears.emplace_back(depth_in_circle(a, b, c, mesh.point(v)), i);
+    }
+    std::sort(ears.begin(), ears.end());
+    bool flipped = false;
+    for (const auto& [depth, i] : ears) {
+      const HalfEdgeId spoke = find_half_edge(mesh, v, fan[at(i)]);
+      if (spoke == none || flip_edge(mesh, spoke, options) != Refusal::done) continue;
+      fan.erase(fan.begin() + i);
+      flipped = true;
+      break;
+    }
+    if (!flipped) return false;
+  }
+}
+
+bool recover_merged(const Mesh& mesh, PointId v, const Fan& fan, std::vector<double>& parent,
+                    const std::vector<double>* long_edge) {
+  const int p = mesh.degree(), n = mesh.net_size(), width = mesh.width();
+  const NetLayout& layout = mesh.layout();
+  const HalfEdgeId h0 = find_half_edge(mesh, v, fan[0]), h1 = find_half_edge(mesh, v, fan[1]);
+  // Where v divides the long edge: the ratio of the tangents on either side of it.
+  const HalfEdgeId back = previous(h1);  // fan[2] to v
+  const double before = distance(mesh.point(mesh.edge_point(h0, 1)), mesh.point(v));
+  const double after = distance(mesh.point(mesh.edge_point(back, p - 1)), mesh.point(v));
+  if (!(before > 0 && after > 0)) return false;
+  const double s = before / (before + after);  // from fan[0] to fan[2]
+  const Barycentric on_edge{1 - s, 0, s};      // corners fan[0], fan[1], fan[2]
+  const Barycentric q0{1, 0, 0}, q1{0, 1, 0}, q2{0, 0, 1};
+
+  thread_local std::vector<double> first, second;
+  first.resize(at(n * width));
+  second.resize(first.size());
+  parent.assign(first.size(), 0.0);
+  mesh.gather(triangle_of(h0), first);
+  mesh.gather(triangle_of(h1), second);
+  std::vector<char> known(at(n), 0);
+  const auto copy_row = [&](std::span<const double> from, int row, int to) {
+    std::copy_n(from.begin() + row * width, width, parent.begin() + to * width);
+    known[at(to)] = 1;
+  };
+  for (int k = 0; k <= p; ++k) {
+    copy_row(first, layout.edge_index(edge_of(next(h0)), k), layout.edge_index(0, k));
+    copy_row(second, layout.edge_index(edge_of(next(h1)), k), layout.edge_index(1, k));
+  }
+  if (long_edge)
+    for (int k = 1; k < p; ++k) copy_row(*long_edge, k, layout.edge_index(2, k));
+  // The pieces in their own corner order: v at local corner edge_of(h).
+  const auto corners = [&](HalfEdgeId h, const Barycentric& origin, const Barycentric& target,
+                           const Barycentric& apex) {
+    std::array<Barycentric, 3> c;
+    c[at(edge_of(h))] = origin;
+    c[at((edge_of(h) + 1) % 3)] = target;
+    c[at((edge_of(h) + 2) % 3)] = apex;
+    return c;
+  };
+  const auto c0 = corners(h0, on_edge, q0, q1), c1 = corners(h1, on_edge, q1, q2);
+  const std::array<PieceOfParent, 2> pieces{PieceOfParent{first, c0[0], c0[1], c0[2]},
+                                            PieceOfParent{second, c1[0], c1[1], c1[2]}};
+  return recover_parent(p, width, pieces, known, parent, subdivision_tolerance * mesh.size(), mesh.size());
+}
+
+TriangleId merge_fan(Mesh& mesh, PointId v, const Fan& fan, const EdgePoints& long_edge) {
+  const HalfEdgeId h0 = find_half_edge(mesh, v, fan[0]), h1 = find_half_edge(mesh, v, fan[1]);
+  const TriangleId kept = triangle_of(h0), dropped = triangle_of(h1);
+  const Side near = side_of(mesh, next(h0)), far = side_of(mesh, next(h1));
+  free_edge_points(mesh, side_of(mesh, h1).points);
+  free_inner_points(mesh, inner_points(mesh, dropped));
+  const InnerPoints inner = inner_points(mesh, kept);
+  mesh.free_triangle(dropped);
+  build_triangle(mesh, kept, near.points, far.points, long_edge, inner);
+  attach(mesh, half_edge(kept, 0), near);
+  attach(mesh, half_edge(kept, 1), far);
+  mesh.link(half_edge(kept, 2), none);
+  mesh.set_constraint(half_edge(kept, 2), none);
+  return kept;
+}
+
+}  // namespace pliant

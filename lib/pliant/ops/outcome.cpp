@@ -1,0 +1,33 @@
+#include "pliant/ops/outcome.h"
+
+namespace pliant {
+
+const char* describe(Refusal refusal) {
+  switch (refusal) {
+    case Refusal::done:
+      return "done";
+    case Refusal::outer_boundary:
+      return "outer boundary";
+    case Refusal::constrained:
+      return "constrained";
+    case Refusal::corner:
+      return "corner";
+    case Refusal::not_convex:
+      return "not convex";
+    case Refusal::edge_exists:
+      return "edge exists";
+    case Refusal::covers_corner:
+      return "covers a corner of the boundary";
+    case Refusal::would_invert:
+      return "would invert";
+    case Refusal::not_removable:
+      return "not removable";
+    case Refusal::exceeds_tolerance:
+      return "exceeds the tolerance";
+    case Refusal::not_in_domain:
+      return "outside";
+  }
+  return "unknown";
+}
+
+}  // namespace pliant

@@ -1,0 +1,67 @@
+#pragma once  // lib/pliant/ops/refit.h: a patch of elements before a change; fits geometry and fields of what replaces
+              // it
+#include <span>
+#include <vector>
+
+#include "pliant/mesh/mesh.h"
+#include "pliant/ops/outcome.h"
+
+namespace pliant {
+
+/// The elements of a patch as they were: captured before a local change of topology, used after it to place the new
+/// control points and to refit the fields. Reused from call to call without allocation.
+class Patch {
+ public:
+  /// Copies the rows of the elements. Rows of points that the change reuses stay available here.
+  void capture(const Mesh& mesh, std::span<const TriangleId> old);
+
+  /// Places the free control points of the elements `now` (same logical region): the displacement field chi - identity
+  /// of the logical region is fitted in the least-squares sense, never longer than the old displacement; where that is
+  /// not valid, optimal placement. True if all of `now` are certified valid.
+  /// Paper §5.2.3; design: Flip, "Geometry first".
+  bool fit_geometry(Mesh& mesh, std::span<const TriangleId> now, std::span<const PointId> free) const;
+
+  /// Refits the fields of the free control points in the (final) geometry of `now`: weighted least squares against the
+  /// old function at physical quadrature points, integral kept and values limited as options.projection says.
+  /// `region_kept`: old and new elements cover the same region; otherwise functions of degree <= 1 are reproduced and
+  /// the integral is not asked for.
+  /// Functions of degree <= 1 are reproduced always.
+  void fit_fields(Mesh& mesh, std::span<const TriangleId> now, std::span<const PointId> free,
+                  const RefitOptions& options, bool region_kept = true) const;
+
+  /// The best linear function of each field column over the old control values: value = c0 + c1 (x - x0) + c2 (y - y0).
+  struct Linear {
+    double c0 = 0, c1 = 0, c2 = 0;
+  };
+  Linear linear_of(int column, FaceId face) const;
+  double evaluate(const Linear& linear, const Point& p) const {
+    return linear.c0 + linear.c1 * (p.x - origin_.x) + linear.c2 * (p.y - origin_.y);
+  }
+
+ private:
+  struct Element {
+    FaceId face;
+    std::size_t first_row;  // into rows_, in doubles
+  };
+  struct Group;
+  std::span<const double> rows(const Element& e) const {
+    return std::span<const double>(rows_).subspan(e.first_row, static_cast<std::size_t>(n_ * width_));
+  }
+  Point old_point(const Element& e, int k) const {
+    const std::size_t i = e.first_row + static_cast<std::size_t>(k * width_);
+    return {rows_[i], rows_[i + 1]};
+  }
+  void fit_group(Mesh& mesh, std::span<const TriangleId> now, std::span<const PointId> free, const Group& group,
+                 const RefitOptions& options, bool region_kept) const;
+
+  int degree_ = 0, n_ = 0, width_ = 0;
+  double size_ = 0;
+  Point origin_;
+  std::vector<Element> elements_;
+  std::vector<double> rows_;
+};
+
+/// ∫ B_k det J over the element for each control point k: the integral of a field is the sum of weight times value.
+void integral_weights(int degree, std::span<const Point> net, std::span<double> weights);
+
+}  // namespace pliant

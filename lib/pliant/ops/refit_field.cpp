@@ -1,0 +1,359 @@
+// The fields of a patch in its new geometry: least squares, integral kept, values limited.
+#include <Eigen/Dense>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "pliant/geometry/bernstein.h"
+#include "pliant/geometry/control_net.h"
+#include "pliant/geometry/invert_map.h"
+#include "pliant/geometry/jacobian.h"
+#include "pliant/geometry/linear_triangle.h"
+#include "pliant/geometry/quadrature.h"
+#include "pliant/mesh/star.h"
+#include "pliant/ops/refit.h"
+
+namespace pliant {
+namespace {
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+using Net = std::array<Point, net_size(max_degree)>;
+using Weights = std::array<double, net_size(max_degree)>;
+
+struct Range {
+  double low, high;
+  double clamp(double v) const { return std::clamp(v, low, high); }
+};
+
+/// Spreads a missing integral over values with positive weights, least change, within a range.
+/// Returns what could not be placed.
+double spread(double missing, std::span<const double> weights, std::span<double> values, const Range* range) {
+  thread_local std::vector<char> full;
+  full.assign(values.size(), 0);
+  for (std::size_t round = 0; round <= values.size(); ++round) {
+    double squares = 0;
+    for (std::size_t k = 0; k < values.size(); ++k)
+      if (!full[k]) squares += weights[k] * weights[k];
+    if (!(squares > 0) || missing == 0) return missing;
+    const double step = missing / squares;
+    bool clipped = false;
+    if (range)
+      for (std::size_t k = 0; k < values.size(); ++k) {
+        if (full[k]) continue;
+        const double wanted = values[k] + step * weights[k];
+        const double held = step * weights[k] > 0 ? std::min(wanted, std::max(range->high, values[k]))
+                                                  : std::max(wanted, std::min(range->low, values[k]));
+        if (held == wanted) continue;
+        missing -= (held - values[k]) * weights[k];
+        values[k] = held;
+        full[k] = 1;
+        clipped = true;
+      }
+    if (clipped) continue;
+    for (std::size_t k = 0; k < values.size(); ++k)
+      if (!full[k]) values[k] += step * weights[k];
+    return 0;
+  }
+  return missing;
+}
+
+/// The integral weight of one control point over all elements of the mesh that contain it (of one face if by face).
+double weight_in_mesh(const Mesh& mesh, PointId p, TriangleId inside, int local, bool by_face) {
+  Net net;
+  Weights weights;
+  const std::span<const Point> points{net.data(), at(mesh.net_size())};
+  double sum = 0;
+  const auto add = [&](TriangleId t) {
+    if (by_face && mesh.face(t) != mesh.face(inside)) return;
+    mesh.gather_points(t, net);
+    integral_weights(mesh.degree(), points, weights);
+    const auto ids = mesh.net(t);
+    sum += weights[static_cast<std::size_t>(std::find(ids.begin(), ids.end(), p) - ids.begin())];
+  };
+  if (local < 3) {
+    thread_local Star star;
+    find_star(mesh, p, star);
+    for (const HalfEdgeId h : star.outgoing) add(triangle_of(h));
+  } else {
+    add(inside);
+    const HalfEdgeId twin = mesh.twin(half_edge(inside, (local - 3) / (mesh.degree() - 1)));
+    if (twin != none) add(triangle_of(twin));
+  }
+  return sum;
+}
+
+}  // namespace
+
+struct Patch::Group {
+  std::vector<int> columns;  // of the rows
+  std::vector<int> fields, components;
+  bool by_face;
+  FaceId face;
+};
+
+Patch::Linear Patch::linear_of(int column, FaceId face) const {
+  Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d right = Eigen::Vector3d::Zero();
+  double scale = 0;
+  for (const Element& e : elements_)
+    for (int k = 0; k < n_; ++k) scale = std::max(scale, length(old_point(e, k) - origin_));
+  if (!(scale > 0)) scale = 1;
+  double base = 0;
+  bool first = true;
+  for (const Element& e : elements_) {
+    if (face != none && e.face != face) continue;
+    for (int k = 0; k < n_; ++k) {
+      const Vector d = (old_point(e, k) - origin_) / scale;
+      const double u = rows(e)[at(k * width_ + column)];
+      if (first) base = u, first = false;  // a constant is reproduced without rounding
+      const Eigen::Vector3d row{1, d.x, d.y};
+      normal += row * row.transpose();
+      right += (u - base) * row;
+    }
+  }
+  const Eigen::Vector3d c = normal.ldlt().solve(right);
+  if (!c.allFinite()) return {base, 0, 0};
+  return {base + c[0], c[1] / scale, c[2] / scale};
+}
+
+void Patch::fit_fields(Mesh& mesh, std::span<const TriangleId> now, std::span<const PointId> free,
+                       const RefitOptions& options, bool region_kept) const {
+  if (width_ == 2) return;
+  thread_local Group continuous, by_face;
+  for (Group* group : {&continuous, &by_face}) {
+    group->columns.clear();
+    group->fields.clear();
+    group->components.clear();
+  }
+  continuous.by_face = false;
+  continuous.face = none;
+  by_face.by_face = true;
+  int column = 2;
+  for (std::size_t k = 0; k < mesh.fields().size(); ++k)
+    for (int c = 0; c < mesh.fields()[k].components; ++c, ++column) {
+      Group& group = mesh.fields()[k].by_face ? by_face : continuous;
+      group.columns.push_back(column);
+      group.fields.push_back(static_cast<int>(k));
+      group.components.push_back(c);
+    }
+  if (!continuous.columns.empty()) fit_group(mesh, now, free, continuous, options, region_kept);
+  if (by_face.columns.empty()) return;
+  thread_local std::vector<FaceId> faces;
+  faces.clear();
+  for (const TriangleId t : now)
+    if (std::find(faces.begin(), faces.end(), mesh.face(t)) == faces.end()) faces.push_back(mesh.face(t));
+  for (const FaceId f : faces) {
+    by_face.face = f;
+    fit_group(mesh, now, free, by_face, options, region_kept);
+  }
+}
+
+void Patch::fit_group(Mesh& mesh, std::span<const TriangleId> now, std::span<const PointId> free, const Group& group,
+                      const RefitOptions& options, bool region_kept) const {
+  const auto in_group = [&](FaceId f) { return !group.by_face || f == group.face; };
+  const bool conserve = region_kept && options.projection != Projection::l2;
+  const bool limit = options.projection == Projection::limited;
+  const int columns = static_cast<int>(group.columns.size());
+
+  // Unknowns: the free points that the group's elements contain.
+  thread_local std::vector<PointId> unknowns;
+  unknowns.clear();
+  for (const PointId p : free)
+    for (const TriangleId t : now) {
+      const auto ids = mesh.net(t);
+      if (in_group(mesh.face(t)) && std::find(ids.begin(), ids.end(), p) != ids.end()) {
+        unknowns.push_back(p);
+        break;
+      }
+    }
+  const int n = static_cast<int>(unknowns.size());
+  if (n == 0 && !conserve) return;
+  const auto unknown_of = [&](PointId p) {
+    const auto found = std::find(unknowns.begin(), unknowns.end(), p);
+    return found == unknowns.end() ? -1 : static_cast<int>(found - unknowns.begin());
+  };
+
+  // The old function less its best linear part, so that linear functions are reproduced to rounding.
+  thread_local std::vector<Linear> linear;
+  linear.clear();
+  for (const int column : group.columns) linear.push_back(linear_of(column, group.by_face ? group.face : none));
+  thread_local std::vector<double> old_rest;  // per element: n_ x columns
+  old_rest.assign(elements_.size() * at(n_ * columns), 0.0);
+  thread_local std::vector<Range> values, rests;  // of the old control values and residuals
+  values.assign(at(columns), {HUGE_VAL, -HUGE_VAL});
+  rests.assign(at(columns), {HUGE_VAL, -HUGE_VAL});
+  Net net;
+  Weights weights;
+  const std::span<const Point> net_points{net.data(), at(n_)};
+  Eigen::VectorXd target = Eigen::VectorXd::Zero(columns);  // integral of the residual
+  for (std::size_t e = 0; e < elements_.size(); ++e) {
+    const Element& old = elements_[e];
+    if (!in_group(old.face)) continue;
+    for (int k = 0; k < n_; ++k) net[at(k)] = old_point(old, k);
+    if (conserve) integral_weights(degree_, net_points, weights);
+    for (int k = 0; k < n_; ++k)
+      for (int c = 0; c < columns; ++c) {
+        const double u = rows(old)[at(k * width_ + group.columns[at(c)])];
+        const double r = u - evaluate(linear[at(c)], net[at(k)]);
+        old_rest[e * at(n_ * columns) + at(k * columns + c)] = r;
+        values[at(c)] = {std::min(values[at(c)].low, u), std::max(values[at(c)].high, u)};
+        rests[at(c)] = {std::min(rests[at(c)].low, r), std::max(rests[at(c)].high, r)};
+        if (conserve) target[c] += weights[at(k)] * r;
+      }
+  }
+
+  const auto current = [&](PointId p, FaceId f, int c) {
+    const std::ptrdiff_t first = mesh.value_index(group.fields[at(c)], p, f);
+    const Field& field = mesh.fields()[at(group.fields[at(c)])];
+    return first < 0 ? 0.0 : field.values[static_cast<std::size_t>(first + group.components[at(c)])];
+  };
+  const bool sample = n > 0 && !(conserve && n == 1);  // one value and one integral: nothing is left to fit
+  Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(n, n);
+  Eigen::MatrixXd right = Eigen::MatrixXd::Zero(n, columns);
+  Eigen::VectorXd weight = Eigen::VectorXd::Zero(n);
+  std::array<int, net_size(max_degree)> unknown;
+  thread_local std::vector<double> known, value;
+  known.resize(at(n_ * columns));
+  value.resize(at(columns));
+  std::array<double, net_size(max_degree)> basis;
+  for (const TriangleId t : now) {
+    if (!in_group(mesh.face(t))) continue;
+    const auto ids = mesh.net(t);
+    mesh.gather_points(t, net);
+    if (conserve) integral_weights(degree_, net_points, weights);
+    for (int k = 0; k < n_; ++k) {
+      unknown[at(k)] = unknown_of(ids[at(k)]);
+      if (unknown[at(k)] >= 0) {
+        if (conserve) weight[unknown[at(k)]] += weights[at(k)];
+        continue;
+      }
+      for (int c = 0; c < columns; ++c) {
+        const double r = current(ids[at(k)], mesh.face(t), c) - evaluate(linear[at(c)], net[at(k)]);
+        known[at(k * columns + c)] = r;
+        if (conserve) target[c] -= weights[at(k)] * r;
+      }
+    }
+    if (!sample) continue;
+    for (const TriangleNode& node : triangle_rule(2 * degree_)) {
+      std::array<double, 2> place, along_2, along_3;
+      evaluate_net(degree_, 2, {&net[0].x, at(2 * n_)}, node.xi, place, along_2, along_3);
+      const double measure = node.weight * (along_2[0] * along_3[1] - along_2[1] * along_3[0]);
+      const Point x{place[0], place[1]};
+      std::size_t best = elements_.size();
+      double depth = -HUGE_VAL;
+      Barycentric best_xi{};
+      Net old_net;
+      for (std::size_t e = 0; e < elements_.size() && depth < -1e-12; ++e) {
+        const Element& old = elements_[e];
+        if (!in_group(old.face)) continue;
+        for (int k = 0; k < n_; ++k) old_net[at(k)] = old_point(old, k);
+        const auto xi = invert_map(degree_, {old_net.data(), at(n_)}, x, 1e-13 * size_);
+        if (!xi) continue;
+        const double least = std::min({(*xi)[0], (*xi)[1], (*xi)[2]});
+        if (least > depth) depth = least, best = e, best_xi = *xi;
+      }
+      if (best == elements_.size()) continue;
+      evaluate_net(degree_, columns,
+                   std::span<const double>(old_rest).subspan(best * at(n_ * columns), at(n_ * columns)), best_xi,
+                   value);
+      bernstein_basis(degree_, node.xi, basis);
+      for (int k = 0; k < n_; ++k)
+        if (unknown[at(k)] < 0)
+          for (int c = 0; c < columns; ++c) value[at(c)] -= basis[at(k)] * known[at(k * columns + c)];
+      for (int k = 0; k < n_; ++k) {
+        if (unknown[at(k)] < 0) continue;
+        for (int c = 0; c < columns; ++c) right(unknown[at(k)], c) += measure * basis[at(k)] * value[at(c)];
+        for (int m = 0; m < n_; ++m)
+          if (unknown[at(m)] >= 0) normal(unknown[at(k)], unknown[at(m)]) += measure * basis[at(k)] * basis[at(m)];
+      }
+    }
+  }
+
+  for (int c = 0; c < columns; ++c) {
+    // Least squares with one equality; what leaves its range is held at the bound, and the rest solved again.
+    Eigen::VectorXd rest = Eigen::VectorXd::Zero(n);
+    std::vector<char> held(at(n), 0);
+    double missing = conserve ? target[c] : 0;
+    for (int round = 0; round <= n && n > 0; ++round) {
+      std::vector<int> open;
+      for (int i = 0; i < n; ++i)
+        if (!held[at(i)]) open.push_back(i);
+      if (open.empty()) break;
+      const int m = static_cast<int>(open.size()), rows_of_system = m + (conserve ? 1 : 0);
+      double integral = missing;
+      for (int i = 0; i < n; ++i)
+        if (held[at(i)]) integral -= weight[i] * rest[i];
+      if (conserve && m == 1) {
+        rest[open[0]] = integral / weight[open[0]];
+      } else {
+        Eigen::MatrixXd system = Eigen::MatrixXd::Zero(rows_of_system, rows_of_system);
+        Eigen::VectorXd b = Eigen::VectorXd::Zero(rows_of_system);
+        const double unit = normal.trace() / n;  // the equality's row in the scale of the others
+        const double weight_unit = conserve ? weight.cwiseAbs().maxCoeff() : 1;
+        for (int i = 0; i < m; ++i) {
+          b[i] = right(open[at(i)], c);
+          for (int j = 0; j < m; ++j) system(i, j) = normal(open[at(i)], open[at(j)]);
+          for (int j = 0; j < n; ++j)
+            if (held[at(j)]) b[i] -= normal(open[at(i)], j) * rest[j];
+          if (conserve) system(i, m) = system(m, i) = weight[open[at(i)]] * unit / weight_unit;
+        }
+        if (conserve) b[m] = integral * unit / weight_unit;
+        const Eigen::VectorXd x = system.fullPivLu().solve(b);
+        for (int i = 0; i < m; ++i) rest[open[at(i)]] = x[i];
+      }
+      bool clipped = false;
+      for (const int i : open) {
+        if (!limit) continue;
+        const double l = evaluate(linear[at(c)], mesh.point(unknowns[at(i)]));
+        const Range& v = values[at(c)];
+        const Range& r = rests[at(c)];
+        // In terms of residuals; the linear function's own value (0) is always allowed.
+        const double low = std::min(0.0, std::max(v.low - l, r.low)),
+                     high = std::max(0.0, std::min(v.high - l, r.high));
+        const double within = std::clamp(rest[i], low, high);
+        if (within == rest[i] && std::isfinite(rest[i])) continue;
+        rest[i] = std::isfinite(rest[i]) ? within : 0.0;
+        held[at(i)] = 1;
+        clipped = true;
+      }
+      if (!clipped) break;
+    }
+    for (int i = 0; i < n; ++i) {
+      missing -= conserve ? weight[i] * rest[i] : 0;
+      const PointId p = unknowns[at(i)];
+      mesh.put_component(group.fields[at(c)], group.components[at(c)], p, group.face,
+                         rest[i] + evaluate(linear[at(c)], mesh.point(p)));
+    }
+    const double noise = 1e-15 * weight.cwiseAbs().sum() * (std::abs(values[at(c)].low) + std::abs(values[at(c)].high));
+    if (!conserve || std::abs(missing) <= noise) continue;
+
+    // The integral that the free values could not keep: over the values of the elements' own edges, then the corners.
+    for (const bool corners : {false, true}) {
+      thread_local std::vector<double> shares, held_values;
+      thread_local std::vector<PointId> takers;
+      thread_local std::vector<FaceId> taker_faces;
+      shares.clear();
+      held_values.clear();
+      takers.clear();
+      taker_faces.clear();
+      for (const TriangleId t : now) {
+        if (!in_group(mesh.face(t))) continue;
+        const auto ids = mesh.net(t);
+        for (int k = corners ? 0 : 3; k < (corners ? 3 : mesh.layout().first_interior()); ++k) {
+          const PointId p = ids[at(k)];
+          if (unknown_of(p) >= 0 || std::find(takers.begin(), takers.end(), p) != takers.end()) continue;
+          takers.push_back(p);
+          taker_faces.push_back(mesh.face(t));
+          shares.push_back(weight_in_mesh(mesh, p, t, k, group.by_face));
+          held_values.push_back(current(p, mesh.face(t), c));
+        }
+      }
+      missing = spread(missing, shares, held_values, limit ? &values[at(c)] : nullptr);
+      for (std::size_t k = 0; k < takers.size(); ++k)
+        mesh.put_component(group.fields[at(c)], group.components[at(c)], takers[k], taker_faces[k], held_values[k]);
+      if (std::abs(missing) <= noise) break;
+    }
+  }
+}
+
+}  // namespace pliant

@@ -1,0 +1,159 @@
+// Places for the new control points of a patch: the displacement field of the logical region, fitted.
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "pliant/geometry/control_net.h"
+#include "pliant/geometry/linear_triangle.h"
+#include "pliant/geometry/optimal_placement.h"
+#include "pliant/geometry/quadrature.h"
+#include "pliant/ops/build_triangle.h"
+#include "pliant/ops/refit.h"
+
+namespace pliant {
+namespace {
+
+constexpr int max_sweeps = 12;  // of optimal placement over several free points
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+/// Where control point k of a straight triangle stands.
+Point straight(const NetLayout& layout, int k, const Point& a, const Point& b, const Point& c) {
+  const auto& [i, j, l] = layout.exponents(k);
+  return (1.0 / layout.degree()) * (i * a + j * b + l * c);
+}
+
+int index_in(std::span<const PointId> free, PointId p) {
+  const auto found = std::find(free.begin(), free.end(), p);
+  return found == free.end() ? -1 : static_cast<int>(found - free.begin());
+}
+
+/// Optimal placement of the free points, one after the other, until every element is valid.
+bool untangle(Mesh& mesh, std::span<const TriangleId> now, std::span<const PointId> free) {
+  const std::size_t n = at(mesh.net_size());
+  std::array<std::array<Point, net_size(max_degree)>, 8> nets;
+  std::array<PlacementElement, 8> elements;
+  for (int sweep = 0; sweep < max_sweeps; ++sweep) {
+    for (const PointId p : free) {
+      std::size_t count = 0;
+      for (const TriangleId t : now) {
+        const auto net = mesh.net(t);
+        const auto found = std::find(net.begin(), net.end(), p);
+        if (found == net.end() || count == elements.size()) continue;
+        mesh.gather_points(t, nets[count]);
+        elements[count] = {{nets[count].data(), n}, static_cast<int>(found - net.begin())};
+        ++count;
+      }
+      if (count == 0) continue;
+      const Placement placement = untangle_point(mesh.degree(), {elements.data(), count}, mesh.point(p));
+      if (free.size() == 1 && placement.outcome != Placement::Outcome::placed) return false;
+      if (is_finite(placement.place)) mesh.set_point(p, placement.place);
+    }
+    if (all_valid(mesh, now)) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+void Patch::capture(const Mesh& mesh, std::span<const TriangleId> old) {
+  degree_ = mesh.degree();
+  n_ = mesh.net_size();
+  width_ = mesh.width();
+  size_ = mesh.size();
+  elements_.clear();
+  rows_.resize(old.size() * at(n_ * width_));
+  std::size_t first = 0;
+  for (const TriangleId t : old) {
+    elements_.push_back({mesh.face(t), first});
+    mesh.gather(t, std::span<double>(rows_).subspan(first, at(n_ * width_)));
+    first += at(n_ * width_);
+  }
+  origin_ = old_point(elements_[0], 0);
+}
+
+bool Patch::fit_geometry(Mesh& mesh, std::span<const TriangleId> now, std::span<const PointId> free) const {
+  if (free.empty()) return all_valid(mesh, now);
+  const NetLayout& layout = NetLayout::of(degree_);
+  const int unknowns = static_cast<int>(free.size());
+
+  // The old displacements, as nets over the straight triangles.
+  thread_local std::vector<double> displacement;
+  displacement.resize(elements_.size() * at(2 * n_));
+  double longest = 0;
+  for (std::size_t e = 0; e < elements_.size(); ++e)
+    for (int k = 0; k < n_; ++k) {
+      const Element& old = elements_[e];
+      const Vector d = old_point(old, k) - straight(layout, k, old_point(old, 0), old_point(old, 1), old_point(old, 2));
+      displacement[e * at(2 * n_) + at(2 * k)] = d.x;
+      displacement[e * at(2 * n_) + at(2 * k + 1)] = d.y;
+      longest = std::max(longest, length(d));
+    }
+
+  Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(unknowns, unknowns);
+  Eigen::MatrixXd right = Eigen::MatrixXd::Zero(unknowns, 2);
+  std::array<Vector, net_size(max_degree)> known;
+  std::array<int, net_size(max_degree)> unknown;
+  std::array<double, net_size(max_degree)> basis;
+  std::array<double, 2> value;
+  const auto sub = [](std::vector<double>& v, std::size_t first, std::size_t count) {
+    return std::span<const double>(v).subspan(first, count);
+  };
+  for (const TriangleId t : now) {
+    const auto net = mesh.net(t);
+    const Point a = mesh.point(net[0]), b = mesh.point(net[1]), c = mesh.point(net[2]);
+    for (int k = 0; k < n_; ++k) {
+      unknown[at(k)] = index_in(free, net[at(k)]);
+      if (unknown[at(k)] < 0) known[at(k)] = mesh.point(net[at(k)]) - straight(layout, k, a, b, c);
+    }
+    const double area = triangle_area(a, b, c);
+    for (const TriangleNode& node : triangle_rule(2 * degree_)) {
+      const Point x = node.xi[0] * a + node.xi[1] * b + node.xi[2] * c;
+      std::size_t best = 0;
+      double depth = -HUGE_VAL;
+      Barycentric best_xi{};
+      for (std::size_t e = 0; e < elements_.size(); ++e) {
+        const Element& old = elements_[e];
+        const Barycentric xi = barycentric(old_point(old, 0), old_point(old, 1), old_point(old, 2), x);
+        const double least = std::min({xi[0], xi[1], xi[2]});
+        if (least > depth) depth = least, best = e, best_xi = xi;
+      }
+      evaluate_net(degree_, 2, sub(displacement, best * at(2 * n_), at(2 * n_)), best_xi, value);
+      Vector rest{value[0], value[1]};
+      for (int k = 0; k < n_; ++k) {
+        const auto& [i, j, l] = layout.exponents(k);
+        double factor = layout.multinomial(k);
+        for (int m = 0; m < i; ++m) factor *= node.xi[0];
+        for (int m = 0; m < j; ++m) factor *= node.xi[1];
+        for (int m = 0; m < l; ++m) factor *= node.xi[2];
+        basis[at(k)] = factor;
+        if (unknown[at(k)] < 0) rest -= factor * known[at(k)];
+      }
+      const double weight = node.weight * area;
+      for (int k = 0; k < n_; ++k) {
+        if (unknown[at(k)] < 0) continue;
+        right(unknown[at(k)], 0) += weight * basis[at(k)] * rest.x;
+        right(unknown[at(k)], 1) += weight * basis[at(k)] * rest.y;
+        for (int m = 0; m < n_; ++m)
+          if (unknown[at(m)] >= 0) normal(unknown[at(k)], unknown[at(m)]) += weight * basis[at(k)] * basis[at(m)];
+      }
+    }
+  }
+  const Eigen::MatrixXd solution = normal.ldlt().solve(right);
+  for (const TriangleId t : now) {
+    const auto net = mesh.net(t);
+    for (int k = 3; k < n_; ++k) {
+      const int u = index_in(free, net[at(k)]);
+      if (u < 0) continue;
+      Vector d{solution(u, 0), solution(u, 1)};
+      if (!is_finite(d)) d = {0, 0};
+      const double far = length(d);
+      if (far > longest) d *= longest / far;
+      mesh.set_point(net[at(k)], straight(layout, k, mesh.point(net[0]), mesh.point(net[1]), mesh.point(net[2])) + d);
+    }
+  }
+  return all_valid(mesh, now) || untangle(mesh, now, free);
+}
+
+}  // namespace pliant

@@ -1,0 +1,350 @@
+// Knot removal with its whole footprint: curve, moved vertices, elements on both sides, fields.
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "pliant/mesh/star.h"
+#include "pliant/ops/merge.h"
+#include "pliant/ops/refit.h"
+#include "pliant/ops/remove_point.h"
+
+namespace pliant {
+namespace {
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+/// The two edges of the one curve that passes through a vertex; half-edges of either side.
+struct Passage {
+  CurveId curve = none;
+  HalfEdgeId before = none, after = none;  // edge that ends at v, edge that starts there (in the curve's direction)
+};
+
+/// All half-edges at v that lie on curves, each edge once: outgoing, or incoming where only that exists.
+void constrained_at(const Mesh& mesh, const Star& star, std::vector<HalfEdgeId>& edges) {
+  edges.clear();
+  for (const HalfEdgeId h : star.outgoing)
+    if (mesh.is_constrained(h)) edges.push_back(h);
+  if (!star.is_closed && !star.outgoing.empty()) edges.push_back(previous(star.outgoing.back()));
+}
+
+Passage passage_at(const Mesh& mesh, PointId v, const Star& star) {
+  thread_local std::vector<HalfEdgeId> edges;
+  constrained_at(mesh, star, edges);
+  if (edges.size() != 2) return {};
+  Passage passage;
+  for (const HalfEdgeId h : edges) {
+    if (!mesh.is_constrained(h)) return {};
+    const ConstraintId c = mesh.constraint(h);
+    if (passage.curve != none && passage.curve != mesh.constraint_curve(c)) return {};
+    passage.curve = mesh.constraint_curve(c);
+    (mesh.constraint_first(c) == v ? passage.after : passage.before) = h;
+  }
+  if (passage.before == none || passage.after == none) return {};
+  return passage;
+}
+
+/// A half-edge of the edge that follows (or precedes) along the same curve, or none at the curve's end.
+HalfEdgeId step_along(const Mesh& mesh, HalfEdgeId h, bool forward) {
+  const ConstraintId c = mesh.constraint(h);
+  const PointId first = mesh.constraint_first(c);
+  const PointId last = mesh.origin(h) == first ? mesh.target(h) : mesh.origin(h);
+  const PointId v = forward ? last : first;
+  Star star;
+  find_star(mesh, v, star);
+  std::vector<HalfEdgeId> edges;
+  constrained_at(mesh, star, edges);
+  for (const HalfEdgeId g : edges) {
+    const ConstraintId other = mesh.constraint(g);
+    if (other == none || other == c || mesh.constraint_curve(other) != mesh.constraint_curve(c)) continue;
+    if ((mesh.constraint_first(other) == v) == forward) return g;
+  }
+  return none;
+}
+
+/// Everything that knot removal moves, and by how much.
+struct Footprint {
+  std::vector<ConstraintId> edges;     // but the two that merge
+  std::vector<HalfEdgeId> half_edges;  // one of each
+  std::vector<PointId> moved;          // vertices
+  std::vector<Vector> shifts;
+  std::vector<TriangleId> triangles;  // that contain a moved point
+
+  Vector shift_of(PointId p) const {
+    for (std::size_t k = 0; k < moved.size(); ++k)
+      if (moved[k] == p) return shifts[k];
+    return {};
+  }
+};
+
+void add_once(std::vector<TriangleId>& list, TriangleId t) {
+  if (std::find(list.begin(), list.end(), t) == list.end()) list.push_back(t);
+}
+
+void find_footprint(const Mesh& mesh, const Passage& passage, Footprint& footprint) {
+  footprint = {};
+  std::vector<ConstraintId> seen{mesh.constraint(passage.before), mesh.constraint(passage.after)};
+  for (const bool forward : {false, true}) {
+    HalfEdgeId h = forward ? passage.after : passage.before;
+    for (int k = 1; k <= mesh.degree(); ++k) {
+      h = step_along(mesh, h, forward);
+      if (h == none || std::find(seen.begin(), seen.end(), mesh.constraint(h)) != seen.end()) break;
+      seen.push_back(mesh.constraint(h));
+      footprint.edges.push_back(mesh.constraint(h));
+      footprint.half_edges.push_back(h);
+    }
+  }
+}
+
+/// Moves the control points around a removed break so that the area swept by the curve is the old one's; the bound of
+/// the distance between the two curves then.
+double restore_area(const BSpline& old, BSpline& spline, double knot) {
+  // The points whose basis functions are nearest to the break, by their Greville abscissae.
+  const std::vector<double> places = spline.greville();
+  std::vector<int> near(places.size());
+  for (std::size_t k = 0; k < near.size(); ++k) near[k] = static_cast<int>(k);
+  const auto far = [&](int k) {
+    const double d = std::abs(places[at(k)] - knot);
+    return spline.closed() ? std::min(d, std::abs(spline.period() - d)) : d;
+  };
+  std::sort(near.begin(), near.end(), [&](int a, int b) { return far(a) != far(b) ? far(a) < far(b) : a < b; });
+  std::erase_if(near, [&](int k) { return !spline.closed() && (k == 0 || k + 1 == static_cast<int>(places.size())); });
+  near.resize(std::min(near.size(), at(std::max(1, spline.degree() - 1))));
+  const double wanted = old.area();
+  for (int round = 0; round < 3; ++round) {  // the area is quadratic in the points: Newton along its gradient
+    const double missing = wanted - spline.area();
+    double squares = 0;
+    std::vector<Vector> gradient;
+    for (const int k : near) {
+      const Point p = spline.points()[at(k)];
+      Vector g;
+      spline.set_point(k, p + Vector{1, 0});
+      g.x = spline.area();
+      spline.set_point(k, p - Vector{1, 0});
+      g.x = (g.x - spline.area()) / 2;
+      spline.set_point(k, p + Vector{0, 1});
+      g.y = spline.area();
+      spline.set_point(k, p - Vector{0, 1});
+      g.y = (g.y - spline.area()) / 2;
+      spline.set_point(k, p);
+      gradient.push_back(g);
+      squares += squared_length(g);
+    }
+    if (!(squares > 0)) break;
+    for (std::size_t k = 0; k < near.size(); ++k)
+      spline.set_point(near[k], spline.points()[at(near[k])] + (missing / squares) * gradient[k]);
+  }
+  BSpline again = spline;
+  for (int m = old.multiplicity(knot); m > 0; --m) again.insert_knot(knot);
+  double error = 0;
+  for (std::size_t k = 0; k < old.points().size(); ++k)
+    error = std::max(error, distance(old.points()[k], again.points()[k]));
+  return error;
+}
+
+/// The fan of v on one side: link vertices counter-clockwise from one curve neighbour to the other.
+void find_fan(const Mesh& mesh, const Star& star, HalfEdgeId first, Fan& fan) {
+  fan.clear();
+  const auto count = star.outgoing.size();
+  const auto start =
+      static_cast<std::size_t>(std::find(star.outgoing.begin(), star.outgoing.end(), first) - star.outgoing.begin());
+  for (std::size_t k = 0; k < count; ++k) {
+    const HalfEdgeId h = star.outgoing[(start + k) % count];
+    fan.push_back(mesh.target(h));
+    if (mesh.is_constrained(previous(h))) {
+      fan.push_back(mesh.origin(previous(h)));
+      return;
+    }
+  }
+}
+
+}  // namespace
+
+CurveRemoval remove_curve_vertex(Mesh& mesh, PointId v, const CurveTolerance& tolerance, const RefitOptions& options) {
+  Star star;
+  find_star(mesh, v, star);
+  const Passage passage = passage_at(mesh, v, star);
+  if (passage.curve == none) return {Refusal::corner, 0};
+  const Curve& curve = mesh.boundary().curves[at(passage.curve)];
+  const ConstraintId kept = mesh.constraint(passage.before), dropped = mesh.constraint(passage.after);
+  const double knot = mesh.constraint_start(dropped), start = mesh.constraint_start(kept);
+  if (curve.spline.closed() ? curve.spline.span_count() <= 3 : knot <= curve.spline.first_parameter())
+    return {Refusal::not_removable, 0};
+  BSpline spline = curve.spline;
+  std::optional<double> error = spline.remove_break(knot);
+  if (!error) return {Refusal::not_removable, 0};
+  if (tolerance.keep_area) error = restore_area(curve.spline, spline, knot);
+  const double total = curve.removal_error + *error;
+  if (!(total <= tolerance.total && *error <= tolerance.step)) return {Refusal::exceeds_tolerance, *error};
+  const PointId from = mesh.constraint_first(kept);
+  const PointId to = mesh.origin(passage.after) == v ? mesh.target(passage.after) : mesh.origin(passage.after);
+  if (find_half_edge(mesh, from, to) != none || find_half_edge(mesh, to, from) != none)
+    return {Refusal::edge_exists, *error};
+
+  Transaction transaction(mesh);
+  // Ears first, so that each side has two triangles. A fan starts at the outgoing half-edge that has the curve on its
+  // right.
+  std::vector<Fan> fans;
+  for (const HalfEdgeId h : star.outgoing)
+    if (mesh.is_constrained(h)) {
+      fans.emplace_back();
+      find_fan(mesh, star, h, fans.back());
+    }
+  for (Fan& fan : fans)
+    if (!reduce_fan(mesh, v, fan, false, 2, options)) return {Refusal::not_removable, *error};
+
+  const int p = mesh.degree(), width = mesh.width();
+  thread_local Footprint footprint;
+  find_star(mesh, v, star);
+  const Passage now = passage_at(mesh, v, star);
+  find_footprint(mesh, now, footprint);
+
+  // New places of the curve's points, before anything moves.
+  const auto extract = [&](double t0) {
+    std::array<Point, max_degree + 1> bezier{};
+    spline.extract(t0, {bezier.data(), at(p + 1)});
+    return bezier;
+  };
+  const auto note_shift = [&](PointId w, const Point& place) {
+    if (std::find(footprint.moved.begin(), footprint.moved.end(), w) != footprint.moved.end()) return;
+    footprint.moved.push_back(w);
+    footprint.shifts.push_back(place - mesh.point(w));
+  };
+  const auto merged = extract(start);
+  note_shift(from, merged[0]);
+  note_shift(to, merged[at(p)]);
+  std::vector<std::pair<PointId, Point>> places;
+  for (std::size_t k = 0; k < footprint.edges.size(); ++k) {
+    const HalfEdgeId h = footprint.half_edges[k];
+    const bool forward = mesh.runs_forward(h);
+    const auto bezier = extract(mesh.constraint_start(footprint.edges[k]));
+    for (int i = 0; i <= p; ++i) {
+      const PointId q = mesh.edge_point(h, forward ? i : p - i);
+      if (i == 0 || i == p)
+        note_shift(q, bezier[at(i)]);
+      else
+        places.emplace_back(q, bezier[at(i)]);
+    }
+  }
+  std::vector<TriangleId> before;  // all elements that change, as they were
+  for (const HalfEdgeId h : star.outgoing) add_once(before, triangle_of(h));
+  Star other;
+  for (const PointId w : footprint.moved) {
+    find_star(mesh, w, other);
+    for (const HalfEdgeId h : other.outgoing) add_once(before, triangle_of(h));
+  }
+  for (const HalfEdgeId h : footprint.half_edges)
+    for (const HalfEdgeId g : {h, mesh.twin(h)})
+      if (g != none) add_once(before, triangle_of(g));
+  thread_local Patch patch;
+  patch.capture(mesh, before);
+
+  // Where the elements are a subdivision, its parents' rows come back.
+  std::vector<std::vector<double>> parents(fans.size());
+  bool restored = true;
+  for (std::size_t k = 0; k < fans.size() && restored; ++k) {
+    std::vector<double> shared;
+    if (k == 1) {
+      shared.resize(at((p + 1) * width));
+      for (int i = 0; i <= p; ++i)
+        std::copy_n(parents[0].begin() + mesh.layout().edge_index(2, p - i) * width, width, shared.begin() + i * width);
+    }
+    restored = recover_merged(mesh, v, fans[k], parents[k], k == 1 ? &shared : nullptr);
+  }
+
+  // Topology. The long edge of a fan runs from its last vertex to its first.
+  const EdgePoints old_before = side_of(mesh, now.before).points, old_after = side_of(mesh, now.after).points;
+  const EdgePoints edge = new_edge(from, to, {old_before.ids.data() + 1, at(p - 1)}, p);
+  std::vector<TriangleId> merged_triangles;
+  for (const Fan& fan : fans)
+    merged_triangles.push_back(merge_fan(mesh, v, fan, fan[2] == from ? edge : edge.reversed()));
+  const HalfEdgeId one = half_edge(merged_triangles[0], 2);
+  mesh.link(one, merged_triangles.size() == 2 ? half_edge(merged_triangles[1], 2) : none);
+  for (const TriangleId t : merged_triangles) mesh.set_constraint(half_edge(t, 2), kept);
+  mesh.free_constraint(dropped);
+  free_edge_points(mesh, old_after);
+  mesh.free_point(v);
+  mesh.set_spline(passage.curve, std::move(spline), total);
+
+  // Geometry: the curve as extracted; what hangs on moved vertices keeps its displacement.
+  std::vector<TriangleId> after;
+  for (const TriangleId t : before)
+    if (mesh.is_alive(t)) after.push_back(t);
+  thread_local std::vector<PointId> shifted;
+  thread_local std::vector<std::pair<PointId, FaceId>> refitted;
+  shifted.clear();
+  refitted.clear();
+  std::vector<std::pair<PointId, Point>> linear_moves;
+  std::vector<PointId> on_curve(edge.ids.begin(), edge.ids.begin() + p + 1);
+  for (const auto& [q, place] : places) on_curve.push_back(q);
+  for (const TriangleId t : after) {
+    const auto net = mesh.net(t);
+    const std::array<Vector, 3> shift{footprint.shift_of(net[0]), footprint.shift_of(net[1]),
+                                      footprint.shift_of(net[2])};
+    const bool is_merged = std::find(merged_triangles.begin(), merged_triangles.end(), t) != merged_triangles.end();
+    for (int k = 0; k < mesh.net_size(); ++k) {
+      const PointId q = net[at(k)];
+      if (k >= mesh.layout().first_interior() && is_merged) continue;
+      refitted.emplace_back(q, mesh.face(t));
+      if (k < 3 || std::find(on_curve.begin(), on_curve.end(), q) != on_curve.end()) continue;
+      if (std::find(shifted.begin(), shifted.end(), q) != shifted.end()) continue;
+      shifted.push_back(q);
+      const auto& [i, j, l] = mesh.layout().exponents(k);
+      linear_moves.emplace_back(q, mesh.point(q) + (1.0 / p) * (i * shift[0] + j * shift[1] + l * shift[2]));
+    }
+  }
+  std::sort(refitted.begin(), refitted.end());
+  refitted.erase(std::unique(refitted.begin(), refitted.end()), refitted.end());
+  std::vector<Point> old_places;
+  for (const auto& [q, f] : refitted) old_places.push_back(mesh.point(q));
+  for (std::size_t k = 0; k < footprint.moved.size(); ++k)
+    mesh.set_point(footprint.moved[k], mesh.point(footprint.moved[k]) + footprint.shifts[k]);
+  mesh.set_point(from, merged[0]);
+  mesh.set_point(to, merged[at(p)]);
+  for (const auto& [q, place] : places) mesh.set_point(q, place);
+  for (const auto& [q, place] : linear_moves) mesh.set_point(q, place);
+  for (int k = 1; k < p; ++k) mesh.set_point(edge[k], merged[at(k)]);
+
+  std::vector<PointId> inner;
+  for (const TriangleId t : merged_triangles) {
+    const InnerPoints ids = inner_points(mesh, t);
+    inner.insert(inner.end(), ids.begin(), ids.begin() + interior_size(p));
+  }
+  if (!patch.fit_geometry(mesh, merged_triangles, inner)) return {Refusal::would_invert, *error};
+  if (!all_valid(mesh, after)) return {Refusal::would_invert, *error};
+
+  // Fields: linear functions follow the moved points; the merged elements are restored or fitted.
+  if (width > 2) {
+    std::size_t column = 2;
+    for (std::size_t f = 0; f < mesh.fields().size(); ++f)
+      for (int c = 0; c < mesh.fields()[f].components; ++c, ++column) {
+        const bool by_face = mesh.fields()[f].by_face;
+        for (std::size_t k = 0; k < refitted.size(); ++k) {
+          const auto& [q, face] = refitted[k];
+          if (mesh.point(q) == old_places[k]) continue;
+          if (!by_face && k > 0 && refitted[k - 1].first == q) continue;  // once a point
+          const std::ptrdiff_t first = mesh.value_index(static_cast<int>(f), q, face);
+          if (first < 0) continue;
+          const Patch::Linear linear = patch.linear_of(static_cast<int>(column), by_face ? face : none);
+          const double old = mesh.fields()[f].values[static_cast<std::size_t>(first + c)];
+          const double change = patch.evaluate(linear, mesh.point(q)) - patch.evaluate(linear, old_places[k]);
+          mesh.put_component(static_cast<int>(f), c, q, face, old + change);
+        }
+      }
+    if (restored) {
+      for (std::size_t k = 0; k < fans.size(); ++k) {
+        const TriangleId t = merged_triangles[k];
+        for (int i = 3 + 2 * (p - 1); i < mesh.net_size(); ++i)  // the long edge's points, then the inner ones
+          mesh.put_fields(mesh.net(t)[at(i)], mesh.face(t),
+                          std::span<const double>(parents[k]).subspan(at(i * width), at(width)));
+      }
+    } else {
+      std::vector<PointId> free(edge.ids.begin() + 1, edge.ids.begin() + p);
+      free.insert(free.end(), inner.begin(), inner.end());
+      patch.fit_fields(mesh, merged_triangles, free, options, false);
+    }
+  }
+  transaction.commit();
+  return {Refusal::done, *error};
+}
+
+}  // namespace pliant

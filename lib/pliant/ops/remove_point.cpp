@@ -1,0 +1,148 @@
+#include "pliant/ops/remove_point.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "pliant/mesh/star.h"
+#include "pliant/ops/merge.h"
+#include "pliant/ops/recover_parent.h"
+#include "pliant/ops/refit.h"
+
+namespace pliant {
+namespace {
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+void put_rows(Mesh& mesh, TriangleId t, std::span<const double> rows, int first, int last) {
+  const auto width = at(mesh.width());
+  for (int k = first; k < last; ++k) mesh.put_row(mesh.net(t)[at(k)], mesh.face(t), rows.subspan(at(k) * width, width));
+}
+
+/// The rows of the parent of the three triangles of v if they are its subdivision; corners in the order of the star.
+bool recover_of_three(const Mesh& mesh, const Star& star, std::vector<double>& parent) {
+  const int p = mesh.degree(), n = mesh.net_size(), width = mesh.width();
+  const NetLayout& layout = mesh.layout();
+  std::array<std::vector<double>, 3> rows;
+  parent.assign(at(n * width), 0.0);
+  std::vector<char> known(at(n), 0);
+  for (int c = 0; c < 3; ++c) {
+    const HalfEdgeId h = star.outgoing[at(c)];
+    rows[at(c)].resize(at(n * width));
+    mesh.gather(triangle_of(h), rows[at(c)]);
+    for (int k = 0; k <= p; ++k) {
+      const int to = layout.edge_index(c, k), from = layout.edge_index(edge_of(next(h)), k);
+      std::copy_n(rows[at(c)].begin() + from * width, width, parent.begin() + to * width);
+      known[at(to)] = 1;
+    }
+  }
+  // The first step of de Casteljau at the first corner tells where v is: b + xi2 (along 12) + xi3 (along 13).
+  const auto position = [&](int k) { return Point{parent[at(k * width)], parent[at(k * width + 1)]}; };
+  const Vector along_2 = position(layout.edge_index(0, 1)) - position(0);
+  const Vector along_3 = position(layout.edge_index(2, p - 1)) - position(0);
+  const Vector step = mesh.point(mesh.edge_point(star.outgoing[0], p - 1)) - position(0);
+  const double det = cross(along_2, along_3);
+  if (det == 0) return false;
+  const double xi2 = cross(step, along_3) / det, xi3 = cross(along_2, step) / det;
+  const Barycentric v{1 - xi2 - xi3, xi2, xi3};
+  if (!(v[0] > 0 && v[1] > 0 && v[2] > 0)) return false;
+  std::array<PieceOfParent, 3> pieces;
+  for (int c = 0; c < 3; ++c) {
+    std::array<Barycentric, 3> corners;
+    Barycentric from{}, to{};
+    from[at(c)] = 1;
+    to[at((c + 1) % 3)] = 1;
+    const int e = edge_of(star.outgoing[at(c)]);
+    corners[at(e)] = v;
+    corners[at((e + 1) % 3)] = from;
+    corners[at((e + 2) % 3)] = to;
+    pieces[at(c)] = {rows[at(c)], corners[0], corners[1], corners[2]};
+  }
+  return recover_parent(p, width, pieces, known, parent, subdivision_tolerance * mesh.size(), mesh.size());
+}
+
+/// 4→2 where the four triangles are a split edge's: the parents come back. `first`: the edge runs from link[first] to
+/// link[first + 2].
+bool undo_split(Mesh& mesh, PointId v, const Star& star, int first) {
+  const auto link = [&](int i) { return mesh.target(star.outgoing[at((first + i) % 4)]); };
+  const Fan right{link(0), link(1), link(2)}, left{link(2), link(3), link(0)};
+  if (find_half_edge(mesh, link(0), link(2)) != none || find_half_edge(mesh, link(2), link(0)) != none) return false;
+  const int p = mesh.degree(), width = mesh.width();
+  std::vector<double> parent_right, parent_left, shared(at((p + 1) * width));
+  if (!recover_merged(mesh, v, right, parent_right)) return false;
+  for (int k = 0; k <= p; ++k)  // the right parent's edge runs from link 2 to link 0, the left one's the other way
+    std::copy_n(parent_right.begin() + mesh.layout().edge_index(2, p - k) * width, width, shared.begin() + k * width);
+  if (!recover_merged(mesh, v, left, parent_left, &shared)) return false;
+  Transaction transaction(mesh);
+  const EdgePoints half = side_of(mesh, star.outgoing[at(first)]).points;  // v to link 0
+  const EdgePoints other = side_of(mesh, star.outgoing[at((first + 2) % 4)]).points;
+  const EdgePoints edge = new_edge(link(2), link(0), {half.ids.data() + 1, at(p - 1)}, p);
+  const TriangleId t = merge_fan(mesh, v, right, edge), u = merge_fan(mesh, v, left, edge.reversed());
+  mesh.link(half_edge(t, 2), half_edge(u, 2));
+  free_edge_points(mesh, other);
+  mesh.free_point(v);
+  put_rows(mesh, t, parent_right, 3 + 2 * (p - 1), mesh.net_size());  // the edge's points, then the inner ones
+  put_rows(mesh, u, parent_left, mesh.layout().first_interior(), mesh.net_size());
+  if (!is_valid(mesh, t) || !is_valid(mesh, u)) return false;
+  transaction.commit();
+  return true;
+}
+
+}  // namespace
+
+Refusal remove_degree_three(Mesh& mesh, PointId v, const RefitOptions& options) {
+  Star star;
+  find_star(mesh, v, star);
+  if (is_on_curve(mesh, star)) return Refusal::constrained;
+  if (star.degree() != 3) return Refusal::not_removable;
+  Transaction transaction(mesh);
+  std::vector<double> parent;
+  const bool is_subdivision = recover_of_three(mesh, star, parent);
+  std::array<TriangleId, 3> old;
+  std::array<Side, 3> sides;
+  for (int c = 0; c < 3; ++c) {
+    old[at(c)] = triangle_of(star.outgoing[at(c)]);
+    sides[at(c)] = side_of(mesh, next(star.outgoing[at(c)]));
+  }
+  thread_local Patch patch;
+  if (!is_subdivision) patch.capture(mesh, old);
+  for (const HalfEdgeId h : star.outgoing) free_edge_points(mesh, side_of(mesh, h).points);
+  const TriangleId t = old[0];
+  const InnerPoints inner = inner_points(mesh, t);
+  for (const TriangleId dropped : {old[1], old[2]}) {
+    free_inner_points(mesh, inner_points(mesh, dropped));
+    mesh.free_triangle(dropped);
+  }
+  mesh.free_point(v);
+  build_triangle(mesh, t, sides[0].points, sides[1].points, sides[2].points, inner);
+  for (int c = 0; c < 3; ++c) attach(mesh, half_edge(t, c), sides[at(c)]);
+  const std::array<TriangleId, 1> now{t};
+  if (is_subdivision) {
+    put_rows(mesh, t, parent, mesh.layout().first_interior(), mesh.net_size());
+    if (!is_valid(mesh, t)) return Refusal::would_invert;
+  } else {
+    const std::span<const PointId> free{inner.data(), at(interior_size(mesh.degree()))};
+    if (!patch.fit_geometry(mesh, now, free)) return Refusal::would_invert;
+    patch.fit_fields(mesh, now, free, options);
+  }
+  transaction.commit();
+  return Refusal::done;
+}
+
+Refusal remove_inner_vertex(Mesh& mesh, PointId v, const RefitOptions& options) {
+  Star star;
+  find_star(mesh, v, star);
+  if (is_on_curve(mesh, star)) return Refusal::constrained;
+  if (star.degree() == 4)
+    for (const int first : {0, 1})
+      if (undo_split(mesh, v, star, first)) return Refusal::done;
+  Transaction transaction(mesh);
+  Fan fan;
+  for (const HalfEdgeId h : star.outgoing) fan.push_back(mesh.target(h));
+  if (!reduce_fan(mesh, v, fan, true, 3, options)) return Refusal::not_removable;
+  const Refusal refusal = remove_degree_three(mesh, v, options);
+  if (refusal == Refusal::done) transaction.commit();
+  return refusal;
+}
+
+}  // namespace pliant
