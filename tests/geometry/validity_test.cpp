@@ -77,7 +77,7 @@ Validity by_sign(const Rational& minimum) {
   return minimum > 0 ? Validity::valid : minimum < 0 ? Validity::invalid : Validity::degenerate;
 }
 
-/// n^(2p - 2) det J / p^2 ... as an integer at (i, j, k), n = i + j + k; exact for integer control points.
+/// n^(2p - 2) det J / p^2 at (i, j, k) / n, n = i + j + k: an integer where the control points are.
 Integer lattice_jacobian(int degree, const std::vector<Point>& net, long long i, long long j, long long k) {
   const NetLayout& layout = NetLayout::of(degree);
   const NetLayout& lower = NetLayout::of(degree - 1);
