@@ -1,0 +1,415 @@
+#include "formats/gltf.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <numbers>
+#include <sstream>
+#include <utility>
+
+#define TINYGLTF_NO_STB_IMAGE
+#define TINYGLTF_NO_STB_IMAGE_WRITE
+#include <tiny_gltf.h>
+
+#include "formats/mesh_edges.h"
+#include "formats/tessellation.h"
+#include "pliant/mesh/check_mesh.h"
+
+namespace pliant {
+namespace {
+
+using tinygltf::Value;
+using Bytes = std::vector<unsigned char>;
+
+constexpr double color_tolerance = 0.01;  // of the frame's range: how far a field's colour may be off
+constexpr double layer = 5e-4;            // height between fill, lines and outlines, as a part of the mesh's size
+constexpr int circle_corners = 128;
+constexpr Rgb ink{0.078, 0.137, 0.18};
+constexpr Rgb plain{0.86, 0.89, 0.92};
+
+template <class T>
+void append(Bytes& bytes, const T& value) {
+  const std::size_t at = bytes.size();
+  bytes.resize(at + sizeof(T));
+  std::memcpy(bytes.data() + at, &value, sizeof(T));
+}
+
+void align(Bytes& bytes) { bytes.resize((bytes.size() + 3) / 4 * 4); }
+
+}  // namespace
+
+struct GltfWriter::State {
+  explicit State(GltfOptions given) : options(std::move(given)) {
+    for (const char* name : {"positions", "indices", "colors", "animation"}) {
+      tinygltf::BufferView view;
+      view.name = name;
+      view.buffer = 0;
+      model.bufferViews.push_back(view);
+    }
+    model.bufferViews[positions_view].target = TINYGLTF_TARGET_ARRAY_BUFFER;
+    model.bufferViews[positions_view].byteStride = options.quantize ? 8 : 12;
+    model.bufferViews[indices_view].target = TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER;
+    model.bufferViews[colors_view].target = TINYGLTF_TARGET_ARRAY_BUFFER;
+    model.bufferViews[colors_view].byteStride = 4;
+  }
+
+  enum View : std::size_t { positions_view, indices_view, colors_view, animation_view, view_count };
+
+  int add_accessor(View view, std::size_t offset, std::size_t count, int component, int type);
+  int add_positions(const std::vector<Point>& points, const Box& box);
+  int add_indices(const std::vector<std::uint32_t>& indices, std::size_t vertices);
+  int add_colors(const Tessellation& pieces);
+  int material(int& slot, const char* name, const Rgb& color, double opacity);
+  int add_node(const char* name, const std::vector<tinygltf::Primitive>& primitives, const Box& box, double height);
+  void add_outlines(const MeshData& mesh, std::vector<Point>& vertices, std::vector<std::uint32_t>& triangles) const;
+  void add_circles();
+  void color_vertices();
+  void animate();
+  int add_keys(const std::vector<float>& keys);
+  void gather();
+
+  GltfOptions options;
+  tinygltf::Model model;
+  std::array<Bytes, view_count> bytes;
+  std::vector<float> values;  // of every coloured vertex of all frames; for faces, the face
+  ValueRange range;
+  std::string title;
+  std::vector<int> frames;  // nodes
+  std::vector<int> circle_nodes;
+  Point center;
+  double size = 0;
+  int fill = -1, lines = -1, outline = -1, invalid = -1, obstacle = -1;
+};
+
+int GltfWriter::State::add_accessor(View view, std::size_t offset, std::size_t count, int component, int type) {
+  tinygltf::Accessor accessor;
+  accessor.bufferView = static_cast<int>(view);
+  accessor.byteOffset = offset;
+  accessor.count = count;
+  accessor.componentType = component;
+  accessor.type = type;
+  model.accessors.push_back(std::move(accessor));
+  return static_cast<int>(model.accessors.size()) - 1;
+}
+
+int GltfWriter::State::add_positions(const std::vector<Point>& points, const Box& box) {
+  Bytes& out = bytes[positions_view];
+  const std::size_t offset = out.size();
+  std::array<double, 3> low{HUGE_VAL, HUGE_VAL, 0}, high{-HUGE_VAL, -HUGE_VAL, 0};
+  const auto put = [&](std::size_t axis, auto number) {
+    append(out, number);
+    low[axis] = std::min(low[axis], double(number));
+    high[axis] = std::max(high[axis], double(number));
+  };
+  const auto step = [](double value, double from, double to) {
+    return static_cast<std::uint16_t>(to > from ? std::lround((value - from) / (to - from) * 65535) : 0);
+  };
+  for (const Point& p : points)
+    if (options.quantize) {
+      put(0, step(p.x, box.low.x, box.high.x));
+      put(1, step(p.y, box.low.y, box.high.y));
+      append(out, std::uint32_t{0});
+    } else {
+      put(0, static_cast<float>(p.x - center.x));
+      put(1, static_cast<float>(p.y - center.y));
+      append(out, 0.0F);
+    }
+  const int component = options.quantize ? TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT : TINYGLTF_COMPONENT_TYPE_FLOAT;
+  const int accessor = add_accessor(positions_view, offset, points.size(), component, TINYGLTF_TYPE_VEC3);
+  model.accessors.back().normalized = options.quantize;
+  model.accessors.back().minValues.assign(low.begin(), low.end());
+  model.accessors.back().maxValues.assign(high.begin(), high.end());
+  return accessor;
+}
+
+int GltfWriter::State::add_indices(const std::vector<std::uint32_t>& indices, std::size_t vertices) {
+  Bytes& out = bytes[indices_view];
+  const std::size_t offset = out.size();
+  // The greatest number of a type means "restart" and may not be an index.
+  const bool is_short = vertices <= std::numeric_limits<std::uint16_t>::max();
+  for (const std::uint32_t i : indices)
+    if (is_short)
+      append(out, static_cast<std::uint16_t>(i));
+    else
+      append(out, i);
+  align(out);
+  return add_accessor(indices_view, offset, indices.size(),
+                      is_short ? TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT : TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT,
+                      TINYGLTF_TYPE_SCALAR);
+}
+
+/// Keeps the values: what colours they are is known when the range of all frames is.
+int GltfWriter::State::add_colors(const Tessellation& pieces) {
+  const std::size_t offset = 4 * values.size();
+  for (const double value : pieces.values) values.push_back(static_cast<float>(value));
+  if (options.color.kind == ColorBy::Kind::face)
+    for (const FaceId face : pieces.vertex_faces) values.push_back(static_cast<float>(face));
+  const int accessor = add_accessor(colors_view, offset, pieces.vertices.size(), TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE,
+                                    TINYGLTF_TYPE_VEC4);
+  model.accessors.back().normalized = true;
+  return accessor;
+}
+
+int GltfWriter::State::material(int& slot, const char* name, const Rgb& color, double opacity) {
+  if (slot >= 0) return slot;
+  tinygltf::Material material;
+  material.name = name;
+  const Rgb linear = linear_light(color);
+  material.pbrMetallicRoughness.baseColorFactor = {linear[0], linear[1], linear[2], opacity};
+  material.doubleSided = true;
+  if (opacity < 1) material.alphaMode = "BLEND";
+  material.extensions["KHR_materials_unlit"] = Value(Value::Object{});
+  model.materials.push_back(std::move(material));
+  return slot = static_cast<int>(model.materials.size()) - 1;
+}
+
+int GltfWriter::State::add_node(const char* name, const std::vector<tinygltf::Primitive>& primitives, const Box& box,
+                                double height) {
+  tinygltf::Mesh mesh;
+  mesh.name = name;
+  mesh.primitives = primitives;
+  model.meshes.push_back(std::move(mesh));
+  tinygltf::Node node;
+  node.name = name;
+  node.mesh = static_cast<int>(model.meshes.size()) - 1;
+  if (options.quantize) {
+    const Vector corner = box.low - center, extent = box.high - box.low;
+    node.translation = {corner.x, corner.y, height * layer * size};
+    node.scale = {extent.x, extent.y, 1};
+  } else if (height > 0) {
+    node.translation = {0, 0, height * layer * size};
+  }
+  model.nodes.push_back(std::move(node));
+  return static_cast<int>(model.nodes.size()) - 1;
+}
+
+tinygltf::Primitive primitive(int positions, int indices, int material, int mode) {
+  tinygltf::Primitive result;
+  result.attributes["POSITION"] = positions;
+  result.indices = indices;
+  result.material = material;
+  result.mode = mode;
+  return result;
+}
+
+/// A band along each constrained edge, as lines of one pixel are all that most viewers draw.
+void GltfWriter::State::add_outlines(const MeshData& mesh, std::vector<Point>& vertices,
+                                     std::vector<std::uint32_t>& triangles) const {
+  const double half = options.outline_width.value_or(size / 400) / 2;
+  for (const ConstrainedEdge& edge : mesh.constrained_edges) {
+    const std::vector<Point> polygon = positions(mesh, edge.points);
+    const int n = options.subdivide > 0 ? options.subdivide : edge_pieces(polygon, options.tolerance * size);
+    const Polyline line = sample_edge(polygon, n);
+    for (std::size_t k = 0; k < line.points.size(); ++k) {
+      const Vector across = perpendicular(line.tangents[k]) * half;
+      const auto at = static_cast<std::uint32_t>(vertices.size());
+      vertices.push_back(line.points[k] - across);
+      vertices.push_back(line.points[k] + across);
+      if (k > 0) triangles.insert(triangles.end(), {at - 2, at, at - 1, at - 1, at, at + 1});
+    }
+  }
+}
+
+void GltfWriter::State::add_circles() {
+  for (const Circle& circle : options.circles) {
+    std::vector<Point> corners;
+    std::vector<std::uint32_t> triangles;
+    for (int k = 0; k < circle_corners; ++k) {
+      const double angle = 2 * std::numbers::pi * k / circle_corners;
+      corners.push_back(circle.center + circle.radius * Vector{std::cos(angle), std::sin(angle)});
+      const auto i = static_cast<std::uint32_t>(k);
+      if (k > 1) triangles.insert(triangles.end(), {0, i - 1, i});
+    }
+    Box box;
+    for (const Point& p : corners) box.extend(p);
+    const int at = add_positions(corners, box);
+    const auto disk = primitive(at, add_indices(triangles, corners.size()),
+                                material(obstacle, "obstacle", obstacle_color, 1), TINYGLTF_MODE_TRIANGLES);
+    circle_nodes.push_back(add_node("obstacle", {disk}, box, 0));
+  }
+}
+
+void GltfWriter::State::color_vertices() {
+  const ValueRange shown = options.range.value_or(range);
+  for (const float value : values) {
+    Rgb color = missing_color;
+    if (options.color.kind == ColorBy::Kind::face)
+      color = face_color(static_cast<FaceId>(value));
+    else if (std::isfinite(value))
+      color = options.map->at(shown.place(value));
+    for (const double part : linear_light(color))
+      append(bytes[colors_view], static_cast<std::uint8_t>(std::lround(part * 255)));
+    append(bytes[colors_view], std::uint8_t{255});
+  }
+}
+
+int GltfWriter::State::add_keys(const std::vector<float>& keys) {
+  Bytes& out = bytes[animation_view];
+  const std::size_t offset = out.size();
+  for (const float key : keys) append(out, key);
+  const int accessor =
+      add_accessor(animation_view, offset, keys.size(), TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_SCALAR);
+  model.accessors.back().minValues = {double(keys.front())};
+  model.accessors.back().maxValues = {double(keys.back())};
+  return accessor;
+}
+
+/// The frames' nodes, each shown (scale 1) during its frame and hidden (scale 0) otherwise.
+void GltfWriter::State::animate() {
+  const auto scales = [this](const std::vector<float>& numbers) {
+    Bytes& out = bytes[animation_view];
+    const std::size_t offset = out.size();
+    for (const float number : numbers)
+      for (int axis = 0; axis < 3; ++axis) append(out, number);
+    return add_accessor(animation_view, offset, numbers.size(), TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC3);
+  };
+  const auto key = [this](std::size_t i) { return static_cast<float>(double(i) / options.frames_per_second); };
+  const std::size_t count = frames.size();
+  tinygltf::Animation animation;
+  animation.name = "series";
+  const int first = scales({1, 0}), middle = count > 2 ? scales({0, 1, 0}) : -1, last = scales({0, 1, 1});
+  for (std::size_t i = 0; i < count; ++i) {
+    tinygltf::AnimationSampler sampler;
+    sampler.interpolation = "STEP";
+    // The last frame's second key at the end gives it its time on the screen.
+    sampler.input = i == 0 ? add_keys({0, key(1)}) : add_keys({0, key(i), key(i + 1)});
+    sampler.output = i == 0 ? first : i + 1 == count ? last : middle;
+    tinygltf::AnimationChannel channel;
+    channel.sampler = static_cast<int>(i);
+    channel.target_node = frames[i];
+    channel.target_path = "scale";
+    animation.samplers.push_back(std::move(sampler));
+    animation.channels.push_back(std::move(channel));
+  }
+  model.animations.push_back(std::move(animation));
+}
+
+/// Puts the parts of the buffer together, and drops the views that nothing uses.
+void GltfWriter::State::gather() {
+  tinygltf::Buffer buffer;
+  std::vector<tinygltf::BufferView> used;
+  std::array<int, view_count> number{};
+  for (std::size_t v = 0; v < view_count; ++v) {
+    if (bytes[v].empty()) continue;
+    number[v] = static_cast<int>(used.size());
+    tinygltf::BufferView view = model.bufferViews[v];
+    view.byteOffset = buffer.data.size();
+    view.byteLength = bytes[v].size();
+    buffer.data.insert(buffer.data.end(), bytes[v].begin(), bytes[v].end());
+    used.push_back(std::move(view));
+    Bytes().swap(bytes[v]);
+  }
+  model.bufferViews = std::move(used);
+  for (tinygltf::Accessor& accessor : model.accessors)
+    accessor.bufferView = number[static_cast<std::size_t>(accessor.bufferView)];
+  model.buffers.push_back(std::move(buffer));
+}
+
+GltfWriter::GltfWriter(GltfOptions options) : state_(std::make_unique<State>(std::move(options))) {}
+GltfWriter::~GltfWriter() = default;
+
+void GltfWriter::add(const MeshData& mesh) {
+  State& s = *state_;
+  const GltfOptions& options = s.options;
+  if (s.frames.empty()) {
+    const Box box = bounding_box(mesh);
+    s.size = box.size();
+    s.center = box.low + (box.high - box.low) / 2;
+    s.add_circles();
+  }
+  const ElementValues values(mesh, options.color);
+  const InvalidElements bad = find_invalid(mesh);
+  const ValueRange range = values.range(bad.invalid);
+  s.range.extend(range.low);
+  s.range.extend(range.high);
+  s.title = values.title();
+  TessellationOptions cut;
+  cut.subdivide = options.subdivide;
+  cut.tolerance = options.tolerance * s.size;
+  const ValueRange& shown = options.range ? *options.range : range;
+  cut.color_tolerance = color_tolerance * (shown.high - shown.low);
+  const Tessellation pieces = tessellate(mesh, find_edges(mesh), values, options.color.kind, bad.invalid, cut);
+  std::vector<Point> outline;
+  std::vector<std::uint32_t> outline_triangles;
+  s.add_outlines(mesh, outline, outline_triangles);
+  Box box;
+  for (const Point& p : pieces.vertices) box.extend(p);
+  for (const Point& p : outline) box.extend(p);
+
+  const int at = s.add_positions(pieces.vertices, box);
+  const std::size_t count = pieces.vertices.size();
+  const bool colored = options.color.kind != ColorBy::Kind::nothing;
+  const int colors = colored ? s.add_colors(pieces) : -1;
+  tinygltf::Node frame;
+  const auto part = [&](const char* name, const tinygltf::Primitive& p, double height) {
+    frame.children.push_back(s.add_node(name, {p}, box, height));
+  };
+  if (!pieces.triangles.empty()) {
+    auto fill = primitive(at, s.add_indices(pieces.triangles, count),
+                          s.material(s.fill, "elements", colored ? Rgb{1, 1, 1} : plain, 1), TINYGLTF_MODE_TRIANGLES);
+    if (colored) fill.attributes["COLOR_0"] = colors;
+    part("elements", fill, 0);
+  }
+  if (!pieces.marked.empty())
+    part("invalid",
+         primitive(at, s.add_indices(pieces.marked, count), s.material(s.invalid, "invalid", invalid_color, 1),
+                   TINYGLTF_MODE_TRIANGLES),
+         1);
+  if (options.edges && !pieces.inner_lines.empty())
+    part("edges",
+         primitive(at, s.add_indices(pieces.inner_lines, count), s.material(s.lines, "edges", ink, 0.55),
+                   TINYGLTF_MODE_LINE),
+         2);
+  if (!outline_triangles.empty())
+    part("curves",
+         primitive(s.add_positions(outline, box), s.add_indices(outline_triangles, outline.size()),
+                   s.material(s.outline, "curves", ink, 1), TINYGLTF_MODE_TRIANGLES),
+         3);
+  frame.name = "frame " + std::to_string(s.frames.size());
+  // A viewer that plays no animation shows the first frame.
+  if (!s.frames.empty()) frame.scale = {0, 0, 0};
+  frame.extras = Value(Value::Object{{"time", Value(mesh.time)},
+                                     {"elements", Value(static_cast<int>(mesh.triangle_faces.size()))},
+                                     {"invalid", Value(static_cast<int>(bad.invalid.size()))},
+                                     {"degenerate", Value(static_cast<int>(bad.degenerate.size()))}});
+  s.model.nodes.push_back(std::move(frame));
+  s.frames.push_back(static_cast<int>(s.model.nodes.size()) - 1);
+}
+
+std::string GltfWriter::finish(bool binary) {
+  State& s = *state_;
+  s.color_vertices();
+  if (s.frames.size() > 1) s.animate();
+  s.gather();
+
+  tinygltf::Node root;
+  root.name = "mesh";
+  root.translation = {s.center.x, s.center.y, 0};
+  root.children = s.circle_nodes;
+  root.children.insert(root.children.end(), s.frames.begin(), s.frames.end());
+  s.model.nodes.push_back(std::move(root));
+  tinygltf::Scene scene;
+  scene.nodes = {static_cast<int>(s.model.nodes.size()) - 1};
+  s.model.scenes.push_back(std::move(scene));
+  s.model.defaultScene = 0;
+  s.model.asset.version = "2.0";
+  s.model.asset.generator = "Pliant export-gltf";
+  const ValueRange shown = s.options.range.value_or(s.range);
+  if (!s.title.empty() && !shown.is_empty())
+    s.model.asset.extras = Value(Value::Object{{"color", Value(s.title)},
+                                               {"low", Value(shown.low)},
+                                               {"high", Value(shown.high)},
+                                               {"colormap", Value(std::string(s.options.map->name))}});
+  s.model.extensionsUsed = {"KHR_materials_unlit"};
+  if (s.options.quantize) {
+    s.model.extensionsUsed.emplace_back("KHR_mesh_quantization");
+    s.model.extensionsRequired = {"KHR_mesh_quantization"};
+  }
+  std::ostringstream out;
+  tinygltf::TinyGLTF().WriteGltfSceneToStream(&s.model, out, !binary, binary);
+  s.model = {};
+  return std::move(out).str();
+}
+
+}  // namespace pliant

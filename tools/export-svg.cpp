@@ -1,0 +1,71 @@
+#include <CLI/CLI.hpp>  // tools/export-svg.cpp
+#include <deque>
+#include <optional>
+#include <stdexcept>
+
+#include "filter.h"
+#include "formats/svg.h"
+#include "picture_options.h"
+
+int main(int argc, char** argv) {
+  using namespace pliant;
+  CLI::App app{"Draw one mesh as an SVG picture with exact curves.", "export-svg"};
+  ToolOptions options;
+  PictureOptions picture;
+  SvgOptions svg;
+  std::string box;
+  long wanted = 0;
+  bool no_legend = false;
+  add_common_options(app, options, false);
+  picture.add(app);
+  app.add_option("--frame", wanted, "which mesh of a series, from 0; -1 is the last one")
+      ->type_name("N")
+      ->capture_default_str();
+  app.add_flag("--control-net", svg.control_net, "draw the control nets too");
+  app.add_option("--width", svg.width, "of the picture, in pixels")
+      ->type_name("PIXELS")
+      ->check(CLI::Range(50.0, 100000.0))
+      ->capture_default_str();
+  app.add_option("--box", box, "what is shown; by default all control points and a margin")->type_name("X0,Y0,X1,Y1");
+  app.add_flag("--no-legend", no_legend, "leave out the column that explains the colours");
+
+  return run_tool(app, argc, argv, options, [&] {
+    picture.check();
+    svg.color = picture.color;
+    svg.map = picture.map;
+    svg.range = picture.range;
+    svg.subdivide = picture.subdivide;
+    svg.edges = !picture.no_edges;
+    svg.circles = picture.circles;
+    svg.legend = !no_legend;
+    if (!box.empty()) {
+      const std::vector<double> sides = parse_numbers("--box", box, ',', 4, "X0,Y0,X1,Y1");
+      svg.box = Box{{sides[0], sides[1]}, {sides[2], sides[3]}};
+      if (!(sides[0] < sides[2] && sides[1] < sides[3]))
+        throw UsageError("--box " + box + ": X0 < X1 and Y0 < Y1 are wanted");
+    }
+    OutputFile output(options.output);
+    std::string text;
+    // A negative number counts from the end, which is known only there: the last -N meshes are kept.
+    std::deque<MeshData> kept;
+    long frames = 0;
+    for_each_mesh(options, [&](MeshData&& mesh, const Frame& frame) {
+      ++frames;
+      if (wanted >= 0 && frame.index != wanted) return;
+      require_mesh(mesh, true);
+      kept.push_back(std::move(mesh));
+      if (wanted < 0 && static_cast<long>(kept.size()) > -wanted) kept.pop_front();
+    });
+    if (kept.empty() || (wanted < 0 && static_cast<long>(kept.size()) < -wanted))
+      throw UsageError("--frame " + std::to_string(wanted) + ": the series has " + std::to_string(frames) +
+                       (frames == 1 ? " mesh" : " meshes"));
+    try {
+      write_svg(kept.front(), svg, text);
+    } catch (const std::invalid_argument& error) {
+      throw UsageError(std::string("--color: ") + error.what());
+    }
+    output.write(text);
+    output.commit();
+    return status::done;
+  });
+}
