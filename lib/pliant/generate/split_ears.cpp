@@ -1,0 +1,124 @@
+#include <algorithm>  // lib/pliant/generate/split_ears.cpp: where the ears at smooth and reflex corners get a point
+#include <cmath>
+#include <numbers>
+
+#include "pliant/generate/planar_mesh.h"
+#include "pliant/generate/tame_spans.h"
+#include "pliant/geometry/predicates.h"
+
+namespace pliant {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+/// Never valid, or valid only by the last bits; or so nearly flat that a curved element can hardly be good there, while
+/// its chords hide it from every measure of straight triangles.
+bool is_bad(const CornerAngle& corner) {
+  return corner.curved >= pi - 1e-7 || (corner.curved > 5 * pi / 6 && corner.curved - corner.logical > pi / 180);
+}
+
+/// Parameter at which the ray from `from` meets the line a-b; infinite if it does not.
+double ray_meets(const Point& from, const Vector& along, const Point& a, const Point& b) {
+  const double denominator = cross(along, b - a);
+  const double s = cross(a - from, b - a) / denominator;
+  return std::isfinite(s) && s > 0 ? s : HUGE_VAL;
+}
+
+class EarSplitter {
+ public:
+  EarSplitter(const BoundarySpans& spans, const PlanarMesh& mesh) : spans_(spans), mesh_(mesh) {}
+
+  std::vector<Point> run() {
+    std::vector<Point> points;
+    split_by_.assign(mesh_.corners.size(), {});
+    has_point_.assign(mesh_.corners.size(), false);
+    const int half_edges = static_cast<int>(mesh_.twins.size());
+    for (int h = 0; h < half_edges; ++h) {
+      const int back = previous(h);
+      if (mesh_.span(h) < 0 || mesh_.span(back) < 0) continue;
+      const CornerAngle corner = angle_at(spans_, mesh_, h);
+      if (!is_bad(corner) || is_split(h / 3)) continue;
+      points.push_back(place(h, corner));
+    }
+    return points;
+  }
+
+ private:
+  static int next(int h) { return h % 3 == 2 ? h - 2 : h + 1; }
+  static int previous(int h) { return h % 3 == 0 ? h + 2 : h - 1; }
+  const Point& at(int node) const { return mesh_.points[static_cast<std::size_t>(node)]; }
+
+  /// Does a point that was placed already, in this triangle or a neighbour, lie in its circumcircle?
+  bool is_split(int t) const {
+    const auto holds = [&](int other) {
+      if (!has_point_[static_cast<std::size_t>(other)]) return false;
+      return in_circle(at(mesh_.origin(3 * t)), at(mesh_.origin(3 * t + 1)), at(mesh_.origin(3 * t + 2)),
+                       split_by_[static_cast<std::size_t>(other)]) > 0;
+    };
+    if (holds(t)) return true;
+    for (int h = 3 * t; h < 3 * t + 3; ++h)
+      if (mesh_.span(h) < 0 && mesh_.twin(h) >= 0 && holds(mesh_.twin(h) / 3)) return true;
+    return false;
+  }
+
+  /// Along the bisector of the tangents, about a leg's length away, but still in the ear or the triangle behind it.
+  Point place(int h, const CornerAngle& corner) {
+    const Point origin = at(mesh_.origin(h));
+    const BoundarySpan& span = spans_[static_cast<std::size_t>(mesh_.span(h))];
+    const Vector tangent =
+        tangent_at_end(spans_.polygon(static_cast<std::size_t>(mesh_.span(h))), span.from == mesh_.origin(h));
+    const double half = corner.curved / 2, norm = length(tangent);
+    const Vector along{(tangent.x * std::cos(half) - tangent.y * std::sin(half)) / norm,
+                       (tangent.x * std::sin(half) + tangent.y * std::cos(half)) / norm};
+    const int opposite = next(h), a = mesh_.origin(opposite), b = mesh_.target(opposite);
+    const double leg = std::min(distance(origin, at(a)), distance(origin, at(b)));
+    double reach = 0.8 * leg;
+    int holder = h / 3;
+    const double leaves = ray_meets(origin, along, at(a), at(b));
+    if (reach >= leaves && mesh_.span(opposite) < 0 && mesh_.twin(opposite) >= 0) {
+      const int g = mesh_.twin(opposite), c = mesh_.origin(previous(g));
+      const double end = std::min(ray_meets(origin, along, at(a), at(c)), ray_meets(origin, along, at(b), at(c)));
+      if (std::isfinite(end) && end > leaves) {
+        reach = std::min(reach, (leaves + end) / 2);
+        holder = g / 3;
+      } else {
+        reach = leaves / 2;
+      }
+    } else {
+      reach = std::min(reach, leaves / 2);
+    }
+    const Point result = origin + reach * along;
+    has_point_[static_cast<std::size_t>(holder)] = true;
+    split_by_[static_cast<std::size_t>(holder)] = result;
+    return result;
+  }
+
+  const BoundarySpans& spans_;
+  const PlanarMesh& mesh_;
+  std::vector<Point> split_by_;
+  std::vector<bool> has_point_;
+};
+
+}  // namespace
+
+CornerAngle angle_at(const BoundarySpans& spans, const PlanarMesh& mesh, int half_edge) {
+  const int back = half_edge % 3 == 0 ? half_edge + 2 : half_edge - 1, node = mesh.origin(half_edge);
+  const auto tangent = [&](int s) {
+    const auto i = static_cast<std::size_t>(s);
+    return tangent_at_end(spans.polygon(i), spans[i].from == node);
+  };
+  const auto turn = [](const Vector& a, const Vector& b) { return std::atan2(cross(a, b), dot(a, b)); };
+  const auto at = [&](int v) {
+    return mesh.points[static_cast<std::size_t>(v)] - mesh.points[static_cast<std::size_t>(node)];
+  };
+  CornerAngle angle{turn(at(mesh.target(half_edge)), at(mesh.origin(back))),
+                    turn(tangent(mesh.span(half_edge)), tangent(mesh.span(back)))};
+  if (angle.curved < angle.logical - pi) angle.curved += 2 * pi;
+  return angle;
+}
+
+std::vector<Point> points_for_ears(const BoundarySpans& spans, const PlanarMesh& mesh) {
+  return EarSplitter(spans, mesh).run();
+}
+
+}  // namespace pliant

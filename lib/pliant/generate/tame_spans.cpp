@@ -1,0 +1,176 @@
+#include "pliant/generate/tame_spans.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "pliant/boundary/box_pairs.h"
+#include "pliant/boundary/hull_separation.h"
+#include "pliant/geometry/control_net.h"
+#include "pliant/geometry/turning_angle.h"
+
+namespace pliant {
+namespace {
+
+constexpr double most_turning = std::numbers::pi / 3;
+constexpr double least_length = 1e-9;  // of the boundary's size
+constexpr double margin = 1e-13;       // of a pair's size, or an angle: rounding of control points
+constexpr int most_rounds = 200;
+
+std::vector<Point> reversed(std::span<const Point> polygon) { return {polygon.rbegin(), polygon.rend()}; }
+
+/// Parameter in (0, 1) at which a curve, which leaves its start for good, is `radius` away from it.
+double parameter_at(std::span<const Point> polygon, double radius) {
+  const int p = static_cast<int>(polygon.size()) - 1;
+  std::vector<double> flat;
+  for (const Point& b : polygon) flat.insert(flat.end(), {b.x, b.y});
+  double low = 0, high = 1;
+  for (int i = 0; i < 60; ++i) {
+    const double s = (low + high) / 2;
+    Point at;
+    std::array<double, 2> value;
+    evaluate_polygon(p, 2, flat, s, value);
+    at = {value[0], value[1]};
+    (distance(polygon.front(), at) < radius ? low : high) = s;
+  }
+  return (low + high) / 2;
+}
+
+class Round {
+ public:
+  explicit Round(const BoundaryComplex& boundary) : spans_(boundary), wish_(spans_.size(), 0) {}
+
+  const BoundarySpans& spans() const { return spans_; }
+  /// Where each span is to be split; 0: not at all.
+  const std::vector<double>& wishes() const { return wish_; }
+
+  void find_turning() {
+    for (std::size_t i = 0; i < spans_.size(); ++i)
+      if (spans_[i].from == spans_[i].to || turning_angle(spans_.polygon(i)) > most_turning) wish_[i] = 0.5;
+  }
+
+  void find_pairs() {
+    std::vector<Box> boxes(spans_.size());
+    for (std::size_t i = 0; i < spans_.size(); ++i) boxes[i] = spans_.box(i);
+    for (const auto& [first, second] : overlapping_pairs(boxes)) {
+      const auto i = static_cast<std::size_t>(first), j = static_cast<std::size_t>(second);
+      // A pair of which one is split anyway is looked at again in the next round.
+      if (wish_[i] > 0 || wish_[j] > 0) continue;
+      compare(i, j);
+    }
+  }
+
+ private:
+  void compare(std::size_t i, std::size_t j) {
+    const BoundarySpan &a = spans_[i], &b = spans_[j];
+    const bool joined_at_start = a.from == b.from || a.from == b.to;
+    const bool joined_at_end = a.to == b.from || a.to == b.to;
+    if (joined_at_start && joined_at_end) {
+      wish_[i] = wish_[j] = 0.5;
+      return;
+    }
+    if (!joined_at_start && !joined_at_end) {
+      Box both;
+      for (const std::size_t k : {i, j})
+        for (const Point& p : spans_.polygon(k)) both.extend(p);
+      if (!hulls_apart(spans_.polygon(i), spans_.polygon(j), margin * both.size())) split_thicker(i, j);
+      return;
+    }
+    const int node = joined_at_start ? a.from : a.to;
+    const std::vector<Point> from_a = outward(i, node), from_b = outward(j, node);
+    if (is_cusp(tangent_at_end(from_a, true), tangent_at_end(from_b, true)))
+      level_cusp(i, j, node, from_a, from_b);
+    else if (!cones_apart(from_a, from_b, margin))
+      split_thicker(i, j);
+  }
+
+  /// The polygon of span i relative to one of its ends, which comes first.
+  std::vector<Point> outward(std::size_t i, int node) const {
+    const auto polygon = spans_.polygon(i);
+    std::vector<Point> result =
+        spans_[i].from == node ? std::vector<Point>(polygon.begin(), polygon.end()) : reversed(polygon);
+    const Point origin = result.front();
+    for (Point& p : result) p -= origin;
+    return result;
+  }
+
+  /// The one further from its chord: splitting a straight one would not help. Two straight ones are apart as they are.
+  void split_thicker(std::size_t i, std::size_t j) {
+    const double height_i = hull_height(spans_.polygon(i)), height_j = hull_height(spans_.polygon(j));
+    const auto extent = [this](std::size_t k) { return spans_.box(k).size(); };
+    if (std::max(height_i, height_j) <= 1e-15 * (extent(i) + extent(j))) return;
+    wish_[height_i >= height_j ? i : j] = 0.5;
+  }
+
+  void level_cusp(std::size_t i, std::size_t j, int node, std::span<const Point> a, std::span<const Point> b) {
+    const double length_a = length(a.back()), length_b = length(b.back());
+    const double shorter = std::min(length_a, length_b), longer = std::max(length_a, length_b);
+    if (longer <= 1.01 * shorter) return;
+    // Both are cut at the same distance; only the longer one where that leaves no sliver beyond the cut.
+    const double radius = longer < 2 * shorter ? shorter / 2 : shorter;
+    for (const auto& [k, polygon] : {std::pair(i, a), std::pair(j, b)}) {
+      if (length(polygon.back()) <= 1.01 * radius) continue;
+      const double s = parameter_at(polygon, radius);
+      wish_[k] = spans_[k].from == node ? s : 1 - s;
+    }
+  }
+
+  BoundarySpans spans_;
+  std::vector<double> wish_;
+};
+
+}  // namespace
+
+Vector tangent_at_end(std::span<const Point> polygon, bool at_start) {
+  const Point origin = at_start ? polygon.front() : polygon.back();
+  for (std::size_t k = 1; k < polygon.size(); ++k) {
+    const Point& p = at_start ? polygon[k] : polygon[polygon.size() - 1 - k];
+    if (!(p == origin)) return p - origin;
+  }
+  return {};
+}
+
+bool is_cusp(const Vector& a, const Vector& b) {
+  return dot(a, b) > 0 && std::fabs(cross(a, b)) <= 1e-9 * length(a) * length(b);
+}
+
+double least_span(const BoundaryComplex& boundary) { return least_length * bounding_box(boundary).size(); }
+
+bool split_span(BoundaryComplex& boundary, const BoundarySpan& span, double least, double s) {
+  const double t = span.t0 + s * (span.t1 - span.t0);
+  if (!(span.t0 < t && t < span.t1)) return false;
+  BSpline& spline = boundary.curves[static_cast<std::size_t>(span.curve)].spline;
+  const Point middle = spline.evaluate(t);
+  if (distance(spline.evaluate(span.t0), middle) < least || distance(middle, spline.evaluate(span.t1)) < least)
+    return false;
+  spline.insert_knot(t);
+  return true;
+}
+
+TameOutcome tame_spans(BoundaryComplex& boundary) {
+  TameOutcome outcome;
+  const double least = least_span(boundary);
+  for (int i = 0; i < most_rounds; ++i) {
+    Round round(boundary);
+    round.find_turning();
+    round.find_pairs();
+    bool any = false;
+    for (std::size_t k = 0; k < round.spans().size(); ++k) {
+      const double s = round.wishes()[k];
+      if (s == 0) continue;
+      any = true;
+      ++outcome.splits;
+      if (split_span(boundary, round.spans()[k], least, s)) continue;
+      outcome.failure = describe_curve(boundary, round.spans()[k].curve) + " near " +
+                        describe_point(round.spans().polygon(k).front()) +
+                        " turns too sharply, or comes too close to another: a span would be shorter than 1e-9 of the "
+                        "boundary's size";
+      return outcome;
+    }
+    if (!any) return outcome;
+  }
+  outcome.failure = "the curves could not be separated in " + std::to_string(most_rounds) + " rounds of splits";
+  return outcome;
+}
+
+}  // namespace pliant

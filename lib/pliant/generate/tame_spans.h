@@ -1,0 +1,34 @@
+#pragma once  // lib/pliant/generate/tame_spans.h: knots inserted until every span may be replaced by its chord
+#include <array>
+#include <string>
+#include <vector>
+
+#include "pliant/boundary/boundary_spans.h"
+
+namespace pliant {
+
+/// Splits spans (knot insertion, shapes unchanged) until no control polygon turns by more than 60 degrees, no two spans
+/// have both ends in common, and the hulls of all spans are apart but for common ends. The chords are then a planar
+/// straight-line graph of the same topology. At a cusp hulls cannot be apart: there the two chords get the same length.
+///
+/// Refuses     with the place, where a span would become shorter than 1e-9 of the boundary's size
+/// Complexity  O(n log n) a round, a few rounds
+struct TameOutcome {
+  std::string failure;  ///< empty: done
+  long splits = 0;
+};
+TameOutcome tame_spans(BoundaryComplex& boundary);
+
+/// The length below which no span is made.   Complexity O(boundary)
+double least_span(const BoundaryComplex& boundary);
+
+/// Splits a span at s in (0, 1); false if one of its parts would be shorter than `least`.
+bool split_span(BoundaryComplex& boundary, const BoundarySpan& span, double least, double s = 0.5);
+
+/// Direction of a span at one of its ends, away from it: the first leg of its polygon that has a length.
+Vector tangent_at_end(std::span<const Point> polygon, bool at_start);
+
+/// True if the directions of two spans at a common end differ by less than 1e-9 radians.
+bool is_cusp(const Vector& a, const Vector& b);
+
+}  // namespace pliant
