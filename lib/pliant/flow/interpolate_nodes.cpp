@@ -109,8 +109,7 @@ std::vector<std::array<std::int32_t, 2>> places_of(const Mesh& mesh) {
     if (mesh.is_alive(t))
       for (const PointId p : mesh.net(t)) places.push_back({p, mesh.face(t)});
   std::ranges::sort(places);
-  const auto repeated = std::ranges::unique(places);
-  places.erase(repeated.begin(), repeated.end());
+  places.erase(std::unique(places.begin(), places.end()), places.end());
   return places;
 }
 
