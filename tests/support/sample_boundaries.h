@@ -83,7 +83,8 @@ inline BoundaryComplex biconcave_cell(int degree) {
 inline BoundaryComplex three_cells(int degree) {
   BoundaryComplex b = with_faces({"near", "upper", "lower"});
   for (int i = 0; i < 3; ++i)
-    b.curves.push_back(closed_curve("membrane " + std::to_string(i), circle(degree, {-1.0 * i, 2.5 * i}, 0.8, 8 + i), i));
+    b.curves.push_back(
+        closed_curve("membrane " + std::to_string(i), circle(degree, {-1.0 * i, 2.5 * i}, 0.8, 8 + i), i));
   return b;
 }
 
@@ -98,8 +99,7 @@ inline BoundaryComplex annulus(int degree, double inner = 0.7) {
 inline BoundaryComplex interface(int degree) {
   BoundaryComplex b = with_faces({"plasma", "cell", "other"});
   b.vertices = {{0, 0}, {4, 0}, {4, 1}, {0, 1}};
-  for (int i = 0; i < 4; ++i)
-    b.curves.push_back(open_curve(b, "wall " + std::to_string(i), i, (i + 1) % 4, {}, 0));
+  for (int i = 0; i < 4; ++i) b.curves.push_back(open_curve(b, "wall " + std::to_string(i), i, (i + 1) % 4, {}, 0));
   b.curves.push_back(closed_curve("membrane", circle(degree, {1, 0.5}, 0.45), 1, 0));
   b.curves.push_back(closed_curve("second", circle(degree, {2.5, 0.5}, 0.3, 5), 2, 0));
   return b;
@@ -138,12 +138,13 @@ inline BoundaryComplex gear(int teeth = 24) {
   return b;
 }
 
-/// Outline of a letter: quadratic curves and lines joined by smooth and by sharp corners (double knots), with a counter.
+/// Outline of a letter: quadratic curves and lines joined by smooth and by sharp corners (double knots), with a
+/// counter.
 inline BoundaryComplex glyph() {
   BoundaryComplex b = with_faces({"e"});
-  const std::vector<Point> outline{{1.0, 0.55}, {0.25, 0.55}, {0.27, 0.15}, {0.6, 0.15}, {0.78, 0.15}, {0.97, 0.25},
-                                   {0.97, 0.1}, {0.78, 0.0},  {0.58, 0.0},  {0.33, 0.0}, {0.0, 0.25},  {0.0, 0.5},
-                                   {0.0, 0.76}, {0.3, 1.05},  {0.53, 1.05}, {0.75, 1.05}, {1.0, 0.8},  {1.0, 0.6}};
+  const std::vector<Point> outline{{1.0, 0.55}, {0.25, 0.55}, {0.27, 0.15}, {0.6, 0.15},  {0.78, 0.15}, {0.97, 0.25},
+                                   {0.97, 0.1}, {0.78, 0.0},  {0.58, 0.0},  {0.33, 0.0},  {0.0, 0.25},  {0.0, 0.5},
+                                   {0.0, 0.76}, {0.3, 1.05},  {0.53, 1.05}, {0.75, 1.05}, {1.0, 0.8},   {1.0, 0.6}};
   // Points 0, 2, 4, ... are on the curve, the others its quadratic control points: every break is a double knot.
   std::vector<double> knots{0};
   for (std::size_t i = 1; i < outline.size() / 2; ++i) knots.insert(knots.end(), 2, static_cast<double>(i));

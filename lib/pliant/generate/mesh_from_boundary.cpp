@@ -43,7 +43,7 @@ class Generator {
   GenerateOutcome finish() {
     outcome_.report.add("knots_inserted", static_cast<double>(splits_));
     outcome_.report.add("ears_split", static_cast<double>(ears_));
-    outcome_.report.add("triangles", static_cast<double>(planar_.corners.size()));
+    outcome_.report.add("first_triangles", static_cast<double>(planar_.corners.size()));
     return std::move(outcome_);
   }
 

@@ -1,0 +1,96 @@
+#include <CLI/CLI.hpp>
+#include <stdexcept>
+
+#include "criteria_options.h"
+#include "expression.h"
+#include "field_option.h"
+#include "filter.h"
+#include "formats/mesh_json.h"
+#include "pliant/boundary/check_boundary.h"
+#include "pliant/generate/mesh_from_boundary.h"  // tools/bspline2mesh.cpp
+#include "pliant/improve/refine.h"
+#include "pliant/mesh/check_mesh.h"
+
+namespace {
+
+using namespace pliant;
+
+SizeFunction compile(const std::string& text) {
+  return [size = Expression(text)](const Point& p, double time) { return size(p.x, p.y, time); };
+}
+
+void require_boundary(const BoundaryComplex& boundary) {
+  std::vector<Fault> faults = check_boundary(boundary);
+  if (faults.empty()) faults = check_boundary_geometry(boundary);
+  if (!faults.empty()) throw BadMesh(std::move(faults));
+}
+
+/// Refines to the criteria of the options and of the document; writes them into it.
+void refine_to(Mesh& mesh, const CriteriaOptions& criteria, PassReport& report) {
+  RefineOptions options;
+  options.goals = criteria.goals(mesh, compile);
+  if (!mesh.criteria.min_angle) mesh.criteria.min_angle = options.goals.min_angle;
+  PassReport refined = refine(mesh, options);
+  report.values.insert(report.values.end(), refined.values.begin(), refined.values.end());
+  for (const auto& [reason, times] : refined.refusals) report.refuse(reason, times);
+  report.notes.insert(report.notes.end(), refined.notes.begin(), refined.notes.end());
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app{"Mesh the faces that B-spline curves bound with valid Bezier triangles.", "bspline2mesh"};
+  ToolOptions options;
+  GenerateOptions generate;
+  CriteriaOptions criteria;
+  FieldOption fields;
+  std::string time_text = "0", degree_text;
+  bool no_refine = false;
+  add_common_options(app, options);
+  app.add_option("--degree", degree_text, "degree of the mesh, 1 to 10; default: the curves' greatest, at least 2")
+      ->type_name("N");
+  criteria.add(app);
+  app.add_flag("--no-refine", no_refine, "keep the first valid mesh, whatever the criteria");
+  fields.add(app);
+  app.add_option("--time", time_text, "time of the mesh")->type_name("T")->capture_default_str();
+  return run_tool(app, argc, argv, options, [&] {
+    if (!degree_text.empty()) {
+      const double degree = parse_number("--degree", degree_text);
+      generate.degree = static_cast<int>(degree);
+      if (degree != generate.degree || degree < 1 || degree > max_degree)
+        throw UsageError("--degree: '" + degree_text + "' is not a whole number from 1 to " +
+                         std::to_string(max_degree));
+    }
+    const double time = parse_number("--time", time_text);
+    criteria.check();
+    fields.check();
+    OutputFile output(options.output);
+    FrameReports reports(options);
+    Stopwatch watch;
+    std::string text;
+    for_each_boundary(options, [&](BoundaryComplex&& boundary, const Frame& frame) {
+      const double read = watch.lap();
+      require_boundary(boundary);
+      const double check = watch.lap();
+      Mesh mesh;
+      GenerateOutcome outcome = mesh_from_boundary(boundary, generate, mesh);
+      if (!outcome.ok) throw NoResult(outcome.failure);
+      mesh.time = time;
+      const double first = watch.lap();
+      if (no_refine)
+        criteria.apply(mesh.criteria, mesh.boundary());
+      else
+        refine_to(mesh, criteria, outcome.report);
+      const double refined = watch.lap();
+      fields.apply(mesh);
+      if (!find_invalid(mesh).empty()) throw NoResult("elements of the result are not valid");
+      text.clear();
+      write_mesh(mesh.to_data(), text);
+      output.write(text);
+      reports.add(frame, mesh.time, outcome.report,
+                  {{"read", read}, {"check", check}, {"generate", first}, {"refine", refined}, {"write", watch.lap()}});
+    });
+    output.commit();
+    return status::done;
+  });
+}
