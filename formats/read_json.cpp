@@ -50,14 +50,14 @@ void JsonReader::syntax(const std::string& text) const {
 
 std::string JsonReader::found() const {
   if (at_ == end_) return at_ == begin_ ? "but the document is empty" : "but the document ends";
-  if (std::string_view(at_, static_cast<std::size_t>(end_ - at_)).starts_with("\xEF\xBB\xBF"))
-    return "found a byte order mark";
+  const std::string_view rest(at_, static_cast<std::size_t>(end_ - at_));
+  if (rest.starts_with("\xEF\xBB\xBF")) return "found a byte order mark";
   const char c = *at_;
   if (c == '{') return "found an object";
   if (c == '[') return "found an array";
   if (c == '"') return "found a string";
-  if (c == 't' || c == 'f') return "found a boolean";
-  if (c == 'n') return "found null";
+  if (rest.starts_with("true") || rest.starts_with("false")) return "found a boolean";
+  if (rest.starts_with("null")) return "found null";
   if (c == '-' || is_digit(c)) return "found a number";
   if (byte_of(c) > 0x20 && byte_of(c) < 0x7F) return std::string("found '") + c + "'";
   constexpr char hex[] = "0123456789ABCDEF";

@@ -39,8 +39,7 @@ void CriteriaOptions::add(CLI::App& app) {
   app.add_option("--max-area", max_area_text_, "greatest area of an element")->type_name("AREA");
   app.add_option("--face-area", face_area_texts_, "greatest area of an element in one face (repeatable)")
       ->type_name("NAME=AREA")
-      ->expected(1)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+      ->allow_extra_args(false);
   app.add_option("--size", size_text_, "wanted edge length, an expression in x, y, t")->type_name("EXPR");
   app.add_option("--max-turning", max_turning_text_, "greatest angle by which an edge turns, degrees")
       ->type_name("DEG");
@@ -49,12 +48,12 @@ void CriteriaOptions::add(CLI::App& app) {
 
 void CriteriaOptions::check() {
   given_ = {};
-  if (!min_angle_text_.empty()) {
-    given_.min_angle = parse_number("--min-angle", min_angle_text_);
+  if (min_angle_text_) {
+    given_.min_angle = parse_number("--min-angle", *min_angle_text_);
     if (!(*given_.min_angle >= 0 && *given_.min_angle < 60))
-      throw UsageError("--min-angle: '" + min_angle_text_ + "' should be from 0 to below 60 degrees");
+      throw UsageError("--min-angle: '" + *min_angle_text_ + "' should be from 0 to below 60 degrees");
   }
-  if (!max_area_text_.empty()) given_.max_area = parse_positive("--max-area", max_area_text_);
+  if (max_area_text_) given_.max_area = parse_positive("--max-area", *max_area_text_);
   for (const std::string& text : face_area_texts_) {
     auto bound = parse_named_number("--face-area", text);
     const auto same = [&](const auto& other) { return other.first == bound.first; };
@@ -62,9 +61,9 @@ void CriteriaOptions::check() {
       throw UsageError("--face-area: the face '" + bound.first + "' is given twice");
     given_.face_area.push_back(std::move(bound));
   }
-  if (!size_text_.empty()) given_.size = size_text_;
-  if (!max_turning_text_.empty()) given_.max_turning = parse_positive("--max-turning", max_turning_text_);
-  if (!min_size_text_.empty()) given_.min_size = parse_positive("--min-size", min_size_text_);
+  if (size_text_) given_.size = *size_text_;
+  if (max_turning_text_) given_.max_turning = parse_positive("--max-turning", *max_turning_text_);
+  if (min_size_text_) given_.min_size = parse_positive("--min-size", *min_size_text_);
 }
 
 void CriteriaOptions::apply(Criteria& criteria, const BoundaryComplex& boundary) const {

@@ -1,6 +1,7 @@
 #pragma once  // tools/criteria_options.h: --min-angle, --max-area and the other criteria of refine, coarsen,
               // bspline2mesh
 #include <functional>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -38,7 +39,7 @@ class CriteriaOptions {
   QualityGoals goals(Mesh& mesh, const std::function<SizeFunction(const std::string&)>& compile) const;
 
  private:
-  std::string min_angle_text_, max_area_text_, max_turning_text_, min_size_text_, size_text_;
+  std::optional<std::string> min_angle_text_, max_area_text_, max_turning_text_, min_size_text_, size_text_;
   std::vector<std::string> face_area_texts_;
   Criteria given_;
 };

@@ -1,0 +1,33 @@
+#!/usr/bin/env bash
+# --report writes a JSON line a frame, -v says it, and neither touches the result.
+. "${BASH_SOURCE%/*}/common.bash"
+
+for tool in "${mesh_filters[@]}"; do
+  filter "$tool" series.jsonl >plain.jsonl
+  run 0 filter "$tool" series.jsonl --report report.jsonl
+  silent
+  same out plain.jsonl
+  python3 - "$tool" <<'PYTHON' || fail "$tool: the report is not as documented: $(head -n 1 report.jsonl)"
+import json, sys
+lines = [json.loads(line) for line in open("report.jsonl")]
+assert len(lines) == 4
+for number, line in enumerate(lines):
+    assert line["tool"] == sys.argv[1] and line["frame"] == number
+    assert set(line) == {"tool", "frame", "time", "values", "refusals", "notes", "seconds"}
+    assert all(isinstance(value, (int, float)) for value in line["values"].values())
+    assert all(isinstance(value, int) and value > 0 for value in line["refusals"].values())
+    assert set(line["seconds"]) == {"read", "check", "pass", "write"}
+PYTHON
+  run 0 filter "$tool" -v series.jsonl
+  same out plain.jsonl
+  says "$tool: frame 3, time "
+done
+run 0 passthrough -v disk.json
+says 'passthrough: frame 0, time 0: triangles 24, half 0.5, '
+says '  refused 3 times: would "invert"'
+says '  nothing was done'
+
+# Frames that were done before a failure are reported.
+run 4 passthrough --stop-at 2 series.jsonl --report report.jsonl
+(($(wc -l <report.jsonl) == 2)) || fail "the report should have the two frames that were done"
+finish

@@ -1,0 +1,77 @@
+"""The schemas accept what the pages show and what the tools write, and refuse what the readers refuse."""
+import copy
+import json
+import pathlib
+import re
+import subprocess
+import sys
+
+try:
+    import jsonschema
+except ImportError:
+    print("python3-jsonschema is missing")
+    sys.exit(77)
+
+source = pathlib.Path(sys.argv[1])
+schemas = {name: json.loads((source / "formats" / f"{name}.schema.json").read_text()) for name in ("mesh", "boundary")}
+store = {f"{name}.schema.json": schema for name, schema in schemas.items()}
+
+
+def validator(name):
+    jsonschema.Draft202012Validator.check_schema(schemas[name])
+    resolver = jsonschema.RefResolver(f"{name}.schema.json", schemas[name], store=store)
+    return jsonschema.Draft202012Validator(schemas[name], resolver=resolver)
+
+
+def status(document):
+    return subprocess.run(["passthrough"], input=json.dumps(document), text=True, capture_output=True).returncode
+
+
+validators = {name: validator(name) for name in schemas}
+failures = []
+examples = {}
+for name in schemas:
+    page = (source / "formats" / f"{name}.md").read_text()
+    for text in re.findall(r"```json\n(.*?)```", page, re.S):
+        examples[name] = json.loads(text)
+        failures += [f"{name}.md: {e.json_path} {e.message}" for e in validators[name].iter_errors(examples[name])]
+assert len(examples) == 2
+if status(examples["mesh"]) != 0:
+    failures.append("mesh.md: the tools refuse the example")
+
+for kind, degree in (("disk", 1), ("three", 2), ("tangled", 3)):
+    document = json.loads(subprocess.check_output(["sample_mesh", kind, str(degree)]))
+    failures += [f"sample_mesh {kind}: {e.json_path} {e.message}" for e in validators["mesh"].iter_errors(document)]
+
+# Each edit breaks the document for the readers; the schema must see it too.
+edits = [
+    lambda d: d.update(version=2),
+    lambda d: d.update(degree=11),
+    lambda d: d.update(degree=1.5),
+    lambda d: d.pop("points"),
+    lambda d: d["points"].__setitem__(0, "0"),
+    lambda d: d["triangles"].__setitem__(0, -1),
+    lambda d: d["constrained_edges"][0].update(color="red"),
+    lambda d: d["constrained_edges"][0].pop("span"),
+    lambda d: d["fields"][0].update(by_face=True),
+    lambda d: d["fields"][0].update(places=[0, 0]),
+    lambda d: d["fields"][0].update(components=0),
+    lambda d: d["criteria"].update(max_area=0),
+    lambda d: d["criteria"].update(min_angle=60),
+    lambda d: d["criteria"].update(face_area={"square": -1}),
+    lambda d: d["boundary"].update(format="pliant-mesh"),
+    lambda d: d["boundary"]["curves"][0].update(start=0),
+    lambda d: d["boundary"]["curves"][0].update(closed=False),
+    lambda d: d["boundary"]["curves"][0].update(removal_error=-1),
+    lambda d: d["boundary"]["faces"][0].pop("name"),
+]
+for number, edit in enumerate(edits):
+    document = copy.deepcopy(examples["mesh"])
+    edit(document)
+    if validators["mesh"].is_valid(document):
+        failures.append(f"the mesh schema accepts edit {number}")
+    if status(document) != 3:
+        failures.append(f"the reader accepts edit {number}")
+
+print("\n".join(failures))
+sys.exit(1 if failures else 0)
