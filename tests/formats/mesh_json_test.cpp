@@ -83,7 +83,7 @@ const std::string& small_document() {
       R"({"curve":0,"span":2,"points":[2,3]},{"curve":0,"span":3,"points":[3,0]}],)"
       R"("fields":[{"name":"u","components":1,"by_face":false,"values":[0,1,2,3]}],)"
       R"("boundary":{"vertices":[],"faces":[{"name":"square"}],"curves":[{"name":"edge","degree":1,"closed":true,)"
-      R"("knots":[0,1,2,3,4],"points":[0,0,1,0,1,1,0,1],"start":null,"end":null,"left":0,"right":null,)"
+      R"("knots":[0,1,2,3,4],"points":[1,0,1,1,0,1,0,0],"start":null,"end":null,"left":0,"right":null,)"
       R"("removal_error":0}],"cusps":[]},"criteria":{"max_area":2}})"
       "\n";
   return text;
