@@ -93,8 +93,8 @@ bool recover_merged(const Mesh& mesh, PointId v, const Fan& fan, std::vector<dou
   return recover_parent(p, width, pieces, known, parent, subdivision_tolerance * mesh.size(), mesh.size());
 }
 
-TriangleId merge_fan(Mesh& mesh, PointId v, const Fan& fan, const EdgePoints& long_edge) {
-  const HalfEdgeId h0 = find_half_edge(mesh, v, fan[0]), h1 = find_half_edge(mesh, v, fan[1]);
+TriangleId merge_fan(Mesh& mesh, HalfEdgeId h, const EdgePoints& long_edge) {
+  const HalfEdgeId h0 = h, h1 = mesh.twin(previous(h));
   const TriangleId kept = triangle_of(h0), dropped = triangle_of(h1);
   const Side near = side_of(mesh, next(h0)), far = side_of(mesh, next(h1));
   free_edge_points(mesh, side_of(mesh, h1).points);

@@ -22,8 +22,9 @@ bool reduce_fan(Mesh& mesh, PointId v, Fan& fan, bool closed, int triangles, con
 bool recover_merged(const Mesh& mesh, PointId v, const Fan& fan, std::vector<double>& parent,
                     const std::vector<double>* long_edge = nullptr);
 
-/// Replaces the two triangles by one, with `long_edge` from fan[2] to fan[0]; frees their spoke. Returns the triangle.
-/// The caller frees v, links the long edge and places the points.
-TriangleId merge_fan(Mesh& mesh, PointId v, const Fan& fan, const EdgePoints& long_edge);
+/// Replaces the triangles of h (v to fan[0]) and of the next spoke h1 (v to fan[1]) by one, with `long_edge` from
+/// fan[2] to fan[0]; frees the spoke between them. Returns the triangle. The caller frees v, links the long edge and
+/// places the points. Of two fans, find both h before the first is merged: the star of v falls apart.
+TriangleId merge_fan(Mesh& mesh, HalfEdgeId h, const EdgePoints& long_edge);
 
 }  // namespace pliant

@@ -98,34 +98,35 @@ void find_footprint(const Mesh& mesh, const Passage& passage, Footprint& footpri
 /// Moves the control points around a removed break so that the area swept by the curve is the old one's; the bound of
 /// the distance between the two curves then.
 double restore_area(const BSpline& old, BSpline& spline, double knot) {
-  // The points whose basis functions are nearest to the break, by their Greville abscissae.
-  const std::vector<double> places = spline.greville();
-  std::vector<int> near(places.size());
-  for (std::size_t k = 0; k < near.size(); ++k) near[k] = static_cast<int>(k);
-  const auto far = [&](int k) {
-    const double d = std::abs(places[at(k)] - knot);
-    return spline.closed() ? std::min(d, std::abs(spline.period() - d)) : d;
-  };
-  std::sort(near.begin(), near.end(), [&](int a, int b) { return far(a) != far(b) ? far(a) < far(b) : a < b; });
-  std::erase_if(near, [&](int k) { return !spline.closed() && (k == 0 || k + 1 == static_cast<int>(places.size())); });
-  near.resize(std::min(near.size(), at(std::max(1, spline.degree() - 1))));
+  // The points whose inner knots straddle the removed one (p = 1: whose support does): none of them reaches beyond the
+  // footprint. An open curve's ends stay.
+  const int count = static_cast<int>(spline.points().size()), p = spline.degree(), inset = p > 1 ? 1 : 0;
+  std::vector<int> near;
+  for (int i = spline.closed() ? 0 : 1; i < (spline.closed() ? count : count - 1); ++i)
+    for (const double turn : {0.0, spline.closed() ? spline.period() : 0.0}) {
+      const double t = knot + turn;
+      if (spline.knot(i + inset) < t && t < spline.knot(i + p + 1 - inset)) {
+        near.push_back(i);
+        break;
+      }
+    }
   const double wanted = old.area();
   for (int round = 0; round < 3; ++round) {  // the area is quadratic in the points: Newton along its gradient
     const double missing = wanted - spline.area();
     double squares = 0;
     std::vector<Vector> gradient;
     for (const int k : near) {
-      const Point p = spline.points()[at(k)];
+      const Point place = spline.points()[at(k)];
       Vector g;
-      spline.set_point(k, p + Vector{1, 0});
+      spline.set_point(k, place + Vector{1, 0});
       g.x = spline.area();
-      spline.set_point(k, p - Vector{1, 0});
+      spline.set_point(k, place - Vector{1, 0});
       g.x = (g.x - spline.area()) / 2;
-      spline.set_point(k, p + Vector{0, 1});
+      spline.set_point(k, place + Vector{0, 1});
       g.y = spline.area();
-      spline.set_point(k, p - Vector{0, 1});
+      spline.set_point(k, place - Vector{0, 1});
       g.y = (g.y - spline.area()) / 2;
-      spline.set_point(k, p);
+      spline.set_point(k, place);
       gradient.push_back(g);
       squares += squared_length(g);
     }
@@ -135,9 +136,12 @@ double restore_area(const BSpline& old, BSpline& spline, double knot) {
   }
   BSpline again = spline;
   for (int m = old.multiplicity(knot); m > 0; --m) again.insert_knot(knot);
+  // A closed curve that loses its first break starts at the next one: its points are then one place further.
+  std::size_t shift = 0;
+  while (old.closed() && shift + 1 < old.points().size() && old.knot(static_cast<int>(shift)) < again.knot(0)) ++shift;
   double error = 0;
   for (std::size_t k = 0; k < old.points().size(); ++k)
-    error = std::max(error, distance(old.points()[k], again.points()[k]));
+    error = std::max(error, distance(old.points()[(k + shift) % old.points().size()], again.points()[k]));
   return error;
 }
 
@@ -255,8 +259,10 @@ CurveRemoval remove_curve_vertex(Mesh& mesh, PointId v, const CurveTolerance& to
   const EdgePoints old_before = side_of(mesh, now.before).points, old_after = side_of(mesh, now.after).points;
   const EdgePoints edge = new_edge(from, to, {old_before.ids.data() + 1, at(p - 1)}, p);
   std::vector<TriangleId> merged_triangles;
-  for (const Fan& fan : fans)
-    merged_triangles.push_back(merge_fan(mesh, v, fan, fan[2] == from ? edge : edge.reversed()));
+  std::vector<HalfEdgeId> starts;
+  for (const Fan& fan : fans) starts.push_back(find_half_edge(mesh, v, fan[0]));
+  for (std::size_t k = 0; k < fans.size(); ++k)
+    merged_triangles.push_back(merge_fan(mesh, starts[k], fans[k][2] == from ? edge : edge.reversed()));
   const HalfEdgeId one = half_edge(merged_triangles[0], 2);
   mesh.link(one, merged_triangles.size() == 2 ? half_edge(merged_triangles[1], 2) : none);
   for (const TriangleId t : merged_triangles) mesh.set_constraint(half_edge(t, 2), kept);

@@ -77,7 +77,8 @@ bool undo_split(Mesh& mesh, PointId v, const Star& star, int first) {
   const EdgePoints half = side_of(mesh, star.outgoing[at(first)]).points;  // v to link 0
   const EdgePoints other = side_of(mesh, star.outgoing[at((first + 2) % 4)]).points;
   const EdgePoints edge = new_edge(link(2), link(0), {half.ids.data() + 1, at(p - 1)}, p);
-  const TriangleId t = merge_fan(mesh, v, right, edge), u = merge_fan(mesh, v, left, edge.reversed());
+  const HalfEdgeId right_start = star.outgoing[at(first)], left_start = star.outgoing[at((first + 2) % 4)];
+  const TriangleId t = merge_fan(mesh, right_start, edge), u = merge_fan(mesh, left_start, edge.reversed());
   mesh.link(half_edge(t, 2), half_edge(u, 2));
   free_edge_points(mesh, other);
   mesh.free_point(v);
