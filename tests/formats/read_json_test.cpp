@@ -133,9 +133,9 @@ TEST_CASE("every double survives writing and reading, in the shortest form", "[f
   CAPTURE(seed);
   samples::Random random(seed);
   for (int i = 0; i < 5000; ++i) {
-    const std::uint64_t bits = (static_cast<std::uint64_t>(random.integer(0, 0x7fffffff)) << 33) ^
-                               (static_cast<std::uint64_t>(random.integer(0, 0x7fffffff)) << 11) ^
-                               static_cast<std::uint64_t>(random.integer(0, 0x7fffffff));
+    const std::uint64_t bits = (static_cast<std::uint64_t>(random.integer(0, 0x7ffffffe)) << 33) ^
+                               (static_cast<std::uint64_t>(random.integer(0, 0x7ffffffe)) << 11) ^
+                               static_cast<std::uint64_t>(random.integer(0, 0x7ffffffe));
     const auto any = std::bit_cast<double>(bits);
     for (const double value : {any, random.real(-10, 10), 0.001 * random.integer(-100000, 100000)}) {
       if (!std::isfinite(value)) continue;
