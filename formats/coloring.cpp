@@ -11,6 +11,7 @@
 #include "pliant/geometry/linear_triangle.h"
 #include "pliant/geometry/turning_angle.h"
 #include "pliant/geometry/validity.h"
+#include "pliant/quality/edge_table.h"
 #include "pliant/quality/element_quality.h"
 
 namespace pliant {
@@ -35,16 +36,17 @@ constexpr std::array faces{rgb(0x5b8ec9), rgb(0xe58a5c), rgb(0x6fb58a), rgb(0xc7
 
 using Net = std::span<const Point>;
 
-double greatest_turning(int degree, Net net) {
+/// The least or greatest value of an edge.
+double of_edges(int degree, Net net, double (*value)(std::span<const Point>), bool greatest) {
   const NetLayout& layout = NetLayout::of(degree);
-  double most = 0;
+  ValueRange range;
   std::vector<Point> polygon(static_cast<std::size_t>(degree) + 1);
   for (int e = 0; e < 3; ++e) {
     for (int k = 0; k <= degree; ++k)
       polygon[static_cast<std::size_t>(k)] = net[static_cast<std::size_t>(layout.edge_index(e, k))];
-    most = std::max(most, turning_angle(polygon));
+    range.extend(value(polygon));
   }
-  return most * 180 / std::numbers::pi;
+  return greatest ? range.high : range.low;
 }
 
 struct Metric {
@@ -61,11 +63,10 @@ const std::array<Metric, 10> metrics{{
     {"distortion", "distortion D", distortion},
     {"logical_angle", "least logical angle, degrees",
      [](int, Net net) { return least_angle(net[0], net[1], net[2]) * 180 / std::numbers::pi; }},
-    {"turning_angle", "largest turning of an edge, degrees", greatest_turning},
-    {"edge_length", "shortest logical edge",
-     [](int, Net net) {
-       return std::min({distance(net[0], net[1]), distance(net[1], net[2]), distance(net[2], net[0])});
-     }},
+    {"turning_angle", "largest turning of an edge, degrees",
+     [](int p, Net net) { return of_edges(p, net, turning_angle, true) * 180 / std::numbers::pi; }},
+    {"edge_length", "length of the shortest edge",
+     [](int p, Net net) { return of_edges(p, net, curve_length, false); }},
     {"element_area", "element area", [](int p, Net net) { return element_area(p, net); }},
 }};
 constexpr std::array<std::string_view, 10> names{"jacobian",    "scaled_jacobian", "shape",         "logical_tau",
@@ -232,6 +233,15 @@ double ElementValues::departure(TriangleId t) const {
     most = std::max(most, std::isfinite(away) ? away : std::abs(at(t, xi) - value[0]));
   }
   return most;
+}
+
+double ElementValues::spread(TriangleId t) const {
+  if (field_ == nullptr) return 0;
+  ValueRange range;
+  for (const Barycentric& xi : {Barycentric{1, 0, 0}, Barycentric{0, 1, 0}, Barycentric{0, 0, 1},
+                                Barycentric{0.5, 0.5, 0}, Barycentric{0, 0.5, 0.5}, Barycentric{0.5, 0, 0.5}})
+    range.extend(at(t, xi));
+  return range.is_empty() ? 0 : range.high - range.low;
 }
 
 ValueRange ElementValues::range(std::span<const TriangleId> without) const {

@@ -44,8 +44,8 @@ struct ValueRange {
 /// What colours the elements.
 struct ColorBy {
   enum class Kind { nothing, face, metric, field };
-  Kind kind = Kind::nothing;
-  std::string name;  ///< of the metric or field
+  Kind kind = Kind::metric;
+  std::string name = "shape";  ///< of the metric or field
 };
 /// "none", "face", "field:NAME[.COMPONENT]", or the name of a metric.
 /// Throws      std::invalid_argument, with the names there are
@@ -72,6 +72,8 @@ class ElementValues {
   /// By how much the function departs, at the element's edge midpoints and its middle, from the linear function of the
   /// plane that agrees with it at the corners.
   double departure(TriangleId t) const;
+  /// Greatest less smallest value at the element's corners and edge midpoints.
+  double spread(TriangleId t) const;
   /// Of all elements but those to leave out (in ascending order): of metrics the true range, of fields that of values
   /// on a lattice of each element. Elements that are not valid are left out as their numbers would drown the others.
   ValueRange range(std::span<const TriangleId> without = {}) const;

@@ -23,6 +23,7 @@ using tinygltf::Value;
 using Bytes = std::vector<unsigned char>;
 
 constexpr double color_tolerance = 0.01;  // of the frame's range: how far a field's colour may be off
+constexpr double color_spread = 0.15;     // of it: beyond that, colours mixed from a piece's corners are not the map's
 constexpr double layer = 5e-4;            // height between fill, lines and outlines, as a part of the mesh's size
 constexpr int circle_corners = 128;
 constexpr Rgb ink{0.078, 0.137, 0.18};
@@ -329,6 +330,7 @@ void GltfWriter::add(const MeshData& mesh) {
   cut.tolerance = options.tolerance * s.size;
   const ValueRange& shown = options.range ? *options.range : range;
   cut.color_tolerance = color_tolerance * (shown.high - shown.low);
+  cut.color_spread = color_spread * (shown.high - shown.low);
   const Tessellation pieces = tessellate(mesh, find_edges(mesh), values, options.color.kind, bad.invalid, cut);
   std::vector<Point> outline;
   std::vector<std::uint32_t> outline_triangles;

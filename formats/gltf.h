@@ -10,7 +10,7 @@
 namespace pliant {
 
 struct GltfOptions {
-  ColorBy color{ColorBy::Kind::metric, "shape"};
+  ColorBy color;
   const Colormap* map = colormaps().data();
   std::optional<ValueRange> range;      ///< otherwise that of all frames
   int subdivide = 0;                    ///< pieces of every edge; 0: as many as curvature and colours take

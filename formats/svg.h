@@ -9,7 +9,7 @@
 namespace pliant {
 
 struct SvgOptions {
-  ColorBy color{ColorBy::Kind::metric, "shape"};
+  ColorBy color;
   const Colormap* map = colormaps().data();
   std::optional<ValueRange> range;  ///< otherwise that of the mesh
   std::optional<Box> box;           ///< what is shown, in mesh units; otherwise all control points and a margin

@@ -68,10 +68,12 @@ void Tessellator::count_pieces() {
   element_pieces_.assign(elements, std::max(1, options_.subdivide));
   color_pieces_ = element_pieces_;
   if (options_.subdivide > 0) return;
-  for (std::size_t t = 0; t < elements; ++t)
-    if (values_.is_field())
-      color_pieces_[t] = element_pieces_[t] =
-          pieces_for(values_.departure(static_cast<TriangleId>(t)), options_.color_tolerance, max_color_pieces);
+  for (std::size_t t = 0; t < elements && values_.is_field(); ++t) {
+    int n = pieces_for(values_.departure(static_cast<TriangleId>(t)), options_.color_tolerance, max_color_pieces);
+    const double spread = values_.spread(static_cast<TriangleId>(t));
+    while (n < max_color_pieces && spread > options_.color_spread * n) n *= 2;
+    color_pieces_[t] = element_pieces_[t] = n;
+  }
   for (std::size_t e = 0; e < edges_.edges.size(); ++e) {
     int& n = edge_pieces_[e];
     n = edge_pieces(positions(mesh_, edges_.edges[e].points), options_.tolerance);

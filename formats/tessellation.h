@@ -1,5 +1,6 @@
 #pragma once  // formats/tessellation.h: curved elements as straight triangles that meet along their edges
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -10,9 +11,10 @@
 namespace pliant {
 
 struct TessellationOptions {
-  int subdivide = 0;           ///< pieces of every edge; 0: by curvature and colour, a power of two for each edge
-  double tolerance = 0;        ///< how far an edge's chords may be from it, a length
-  double color_tolerance = 0;  ///< how far colours' values may be off inside a piece
+  int subdivide = 0;               ///< pieces of every edge; 0: by curvature and colour, a power of two for each edge
+  double tolerance = 0;            ///< how far an edge's chords may be from it, a length
+  double color_tolerance = 0;      ///< how far values may be off inside a piece
+  double color_spread = HUGE_VAL;  ///< how much values may differ within a piece: viewers mix its corners' colours
 };
 
 /// Straight triangles, and the edges as polylines of their vertices.

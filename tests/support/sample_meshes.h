@@ -133,7 +133,7 @@ inline void add_disk(MeshBuilder& builder, int spans, const Point& center, doubl
   data.boundary.curves.push_back(std::move(outline));
 }
 
-/// One round cell, valid, of any degree; `spans` at least the degree and 3.
+/// One round cell of any degree; `spans` at least 8 (with fewer, curved edges make some elements invalid).
 inline MeshData disk(int degree, int spans = 8, const Point& center = {0, 0}, double radius = 1) {
   MeshBuilder builder(degree);
   add_disk(builder, spans, center, radius, "cell");
