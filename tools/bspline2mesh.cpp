@@ -15,10 +15,6 @@ namespace {
 
 using namespace pliant;
 
-SizeFunction compile(const std::string& text) {
-  return [size = Expression(text)](const Point& p, double time) { return size(p.x, p.y, time); };
-}
-
 void require_boundary(const BoundaryComplex& boundary) {
   std::vector<Fault> faults = check_boundary(boundary);
   if (faults.empty()) faults = check_boundary_geometry(boundary);
@@ -28,7 +24,7 @@ void require_boundary(const BoundaryComplex& boundary) {
 /// Refines to the criteria of the options and of the document; writes them into it.
 void refine_to(Mesh& mesh, const CriteriaOptions& criteria, PassReport& report) {
   RefineOptions options;
-  options.goals = criteria.goals(mesh, compile);
+  options.goals = criteria.goals(mesh, compile_size);
   if (!mesh.criteria.min_angle) mesh.criteria.min_angle = options.goals.min_angle;
   PassReport refined = refine(mesh, options);
   report.values.insert(report.values.end(), refined.values.begin(), refined.values.end());

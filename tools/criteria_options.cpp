@@ -6,9 +6,14 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "expression.h"
 #include "filter.h"
 
 namespace pliant {
+
+SizeFunction compile_size(const std::string& text) {
+  return [size = Expression(text)](const Point& p, double time) { return size(p.x, p.y, time); };
+}
 
 double parse_number(const std::string& option, const std::string& text) {
   double value = 0;

@@ -22,6 +22,9 @@ double parse_positive(const std::string& option, const std::string& text);
 /// NAME=NUMBER, split at the last '='; the number finite and above zero.
 std::pair<std::string, double> parse_named_number(const std::string& option, const std::string& text);
 
+/// The function of a size expression in x, y and t.   Throws std::invalid_argument where it is no formula
+SizeFunction compile_size(const std::string& text);
+
 /// The criteria as given on the command line. An option replaces its entry of the document and is written back.
 class CriteriaOptions {
  public:

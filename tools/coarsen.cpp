@@ -1,0 +1,53 @@
+#include "pliant/improve/coarsen.h"  // tools/coarsen.cpp
+
+#include <CLI/CLI.hpp>
+
+#include "criteria_options.h"
+#include "filter.h"
+#include "refit_option.h"
+
+namespace {
+constexpr double default_tolerance = 1e-3;  // of the mesh's size
+constexpr double default_share = 0.1;       // of the tolerance, for one removal
+}  // namespace
+
+int main(int argc, char** argv) {
+  using namespace pliant;
+  CLI::App app{"Remove vertices that neither size nor geometry needs.", "coarsen"};
+  CriteriaOptions criteria;
+  CoarsenOptions options;
+  std::string tolerance, step_tolerance, polygon_tolerance, factor = "1";
+  criteria.add(app);
+  app.add_option("--tolerance", tolerance,
+                 "bound of what knot removals change of a curve in all, as the document keeps account of it; default: "
+                 "0.001 of the mesh's size")
+      ->type_name("LENGTH");
+  app.add_option("--step-tolerance", step_tolerance, "bound of what one removal changes; default: 0.1 of --tolerance")
+      ->type_name("LENGTH");
+  app.add_option("--polygon-tolerance", polygon_tolerance,
+                 "keep the knots whose control points Douglas-Peucker keeps at this tolerance; default: not asked")
+      ->type_name("LENGTH");
+  app.add_option("--factor", factor, "scale the distance at which vertices are kept")
+      ->type_name("F")
+      ->capture_default_str();
+  app.add_flag("--keep-area", options.keep_area, "removals keep the area inside their curve");
+  add_projection_option(app, options.refit);
+  FilterOptions filter;
+  filter.prepare = [&](const ToolOptions&) {
+    criteria.check();
+    options.factor = parse_positive("--factor", factor);
+    if (!polygon_tolerance.empty())
+      options.polygon_tolerance = parse_positive("--polygon-tolerance", polygon_tolerance);
+    if (!tolerance.empty()) options.tolerance = parse_positive("--tolerance", tolerance);
+    if (!step_tolerance.empty()) options.step_tolerance = parse_positive("--step-tolerance", step_tolerance);
+  };
+  return run_filter(
+      app, argc, argv,
+      [&](Mesh& mesh) {
+        options.goals = criteria.goals(mesh, compile_size);
+        if (tolerance.empty()) options.tolerance = default_tolerance * mesh.size();
+        if (step_tolerance.empty()) options.step_tolerance = default_share * options.tolerance;
+        return coarsen(mesh, options);
+      },
+      filter);
+}

@@ -1,0 +1,29 @@
+#include "pliant/improve/refine.h"  // tools/refine.cpp
+
+#include <CLI/CLI.hpp>
+
+#include "criteria_options.h"
+#include "filter.h"
+#include "refit_option.h"
+
+int main(int argc, char** argv) {
+  using namespace pliant;
+  CLI::App app{"Insert points into elements that are too large or too poor, split edges that turn too much.", "refine"};
+  CriteriaOptions criteria;
+  RefineOptions options;
+  criteria.add(app);
+  app.add_option("--max-insertions", options.max_insertions, "insert at most N points in a mesh")
+      ->type_name("N")
+      ->check(CLI::Range(0L, 1000000000L))
+      ->capture_default_str();
+  add_projection_option(app, options.refit);
+  FilterOptions filter;
+  filter.prepare = [&](const ToolOptions&) { criteria.check(); };
+  return run_filter(
+      app, argc, argv,
+      [&](Mesh& mesh) {
+        options.goals = criteria.goals(mesh, compile_size);
+        return refine(mesh, options);
+      },
+      filter);
+}

@@ -1,0 +1,13 @@
+#pragma once  // tools/refit_option.h: --projection, the same in every tool that refits fields
+#include "pliant/ops/outcome.h"
+
+namespace CLI {
+class App;
+}
+
+namespace pliant {
+
+/// Adds --projection l2|conservative|limited.
+void add_projection_option(CLI::App& app, RefitOptions& options);
+
+}  // namespace pliant
