@@ -81,7 +81,23 @@ void attach(Mesh& mesh, HalfEdgeId h, const Side& side) {
   mesh.set_constraint(h, side.constraint);
 }
 
+bool covers_smooth_corner(const Mesh& mesh, TriangleId t) {
+  for (int c = 0; c < 3; ++c) {
+    const ConstraintId out = mesh.constraint(half_edge(t, c)), in = mesh.constraint(half_edge(t, (c + 2) % 3));
+    if (out == none || in == none || mesh.constraint_curve(out) != mesh.constraint_curve(in)) continue;
+    for (const ConstraintId k : {out, in})
+      if (mesh.constraint_first(k) == mesh.corner(t, c)) {
+        const BSpline& spline = mesh.spline(mesh.constraint_curve(k));
+        const double knot = mesh.constraint_start(k);
+        if ((spline.closed() || knot > spline.first_parameter()) && spline.multiplicity(knot) < spline.degree())
+          return true;
+      }
+  }
+  return false;
+}
+
 bool is_valid(const Mesh& mesh, TriangleId t) {
+  if (covers_smooth_corner(mesh, t)) return false;
   std::array<Point, net_size(max_degree)> net;
   mesh.gather_points(t, net);
   return certify(mesh.degree(), {net.data(), static_cast<std::size_t>(mesh.net_size())}) == Validity::valid;

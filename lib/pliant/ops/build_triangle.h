@@ -45,8 +45,12 @@ void build_triangle(Mesh& mesh, TriangleId t, const EdgePoints& e0, const EdgePo
 /// Gives half-edge h the twin and constraint that `side` had.
 void attach(Mesh& mesh, HalfEdgeId h, const Side& side);
 
-/// True if every one of the triangles is certified valid.
-bool all_valid(const Mesh& mesh, std::span<const TriangleId> triangles);
+/// True if two edges of the triangle are spans of one curve that meet where it is smooth: det J is 0 there in exact
+/// arithmetic, whatever rounding makes of it (design: M3).
+bool covers_smooth_corner(const Mesh& mesh, TriangleId t);
+
+/// True if the triangle, or every one of them, is certified valid and covers no smooth corner.
 bool is_valid(const Mesh& mesh, TriangleId t);
+bool all_valid(const Mesh& mesh, std::span<const TriangleId> triangles);
 
 }  // namespace pliant
