@@ -39,8 +39,7 @@ void PictureOptions::add(CLI::App& app) {
   app.add_flag("--no-edges", no_edges, "draw constrained edges only");
   app.add_option("--circle", circles_, "draw a disk, an obstacle say, under the mesh; repeatable")
       ->type_name("X,Y,R")
-      ->expected(1)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+      ->allow_extra_args(false);
 }
 
 void PictureOptions::check() {

@@ -1,0 +1,52 @@
+#!/usr/bin/env bash
+# The pictures from the outside: frames, names of files, obstacles beside the input, tangled meshes, wrong names.
+. "${BASH_SOURCE%/*}/common.bash"
+has_tool export-svg && has_tool export-gltf || exit 77
+
+sample_mesh disk 2 0 >a.json
+sample_mesh three 2 1 >b.json
+cat a.json b.json >series.jsonl
+
+for tool in export-svg export-gltf; do
+  run 0 $tool --circle 1,2,0.5 --circle 3,2,0.5 --color field:u series.jsonl
+  silent
+  cp out first
+  run 0 $tool --circle 1,2,0.5 --circle 3,2,0.5 --color field:u - <series.jsonl
+  same first out
+  run 2 $tool --color field:heat a.json
+  says "no field 'heat'"
+  run 2 $tool --color beauty a.json
+  run 2 $tool --colormap beauty a.json
+  run 2 $tool --range 2:1 a.json
+  run 2 $tool --range nan:1 a.json
+  run 2 $tool --circle 1,2 a.json
+  run 2 $tool --circle 1,2,-3 a.json
+  run 0 $tool --range -1:1 --color element_area a.json
+  sample_mesh tangled 2 >tangled.json
+  run 0 $tool tangled.json
+  grep -q invalid out || fail "$tool does not mark invalid elements"
+done
+
+run 0 export-svg series.jsonl --frame 1
+grep -q '<title>Mesh at time 1</title>' out || fail "--frame 1 is not the second mesh"
+cp out second
+run 0 export-svg series.jsonl --frame -1
+same second out
+run 0 export-svg series.jsonl --frame=-2
+grep -q '<title>Mesh at time 0</title>' out || fail "--frame -2 is not the first mesh"
+for frame in 2 -3; do
+  run 2 export-svg series.jsonl --frame $frame
+  says "has 2 meshes"
+  no_output
+done
+run 2 export-svg --box 0,0,0,1 a.json
+
+run 0 export-gltf a.json -o a.glb
+run 0 export-gltf a.json -o a.gltf
+[ "$(head -c 4 a.glb)" = glTF ] || fail "a.glb is not binary"
+[ "$(head -c 1 a.gltf)" = '{' ] || fail "a.gltf is not JSON"
+run 0 export-gltf a.json
+same a.glb out
+run 0 export-gltf --no-binary a.json
+same a.gltf out
+finish
