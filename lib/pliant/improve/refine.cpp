@@ -22,7 +22,8 @@ namespace {
 
 constexpr int max_failures = 2;         // of one triangle's circumcentre
 constexpr double default_floor = 1e-9;  // of the mesh's size: least distance of two vertices
-constexpr double size_slack = 1.5;      // a longest edge of this many wanted lengths is too long
+constexpr double rounding_slack = 0.999;
+constexpr double size_slack = 1.5;  // a longest edge of this many wanted lengths is too long
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
@@ -30,6 +31,7 @@ struct Attack {
   const char* reason = nullptr;
   double excess = 0;       // how far beyond its bound: worst first
   HalfEdgeId edge = none;  // too curved: the edge to split
+  bool is_poor = false;
 };
 
 double edge_turning(const Mesh& mesh, HalfEdgeId h) {
@@ -48,7 +50,7 @@ Attack attack_on(const Mesh& mesh, TriangleId t, const QualityGoals& goals) {
       const HalfEdgeId h = half_edge(t, e);
       if (!mesh.is_constrained(h)) continue;
       const double ratio = edge_turning(mesh, h) / goals.max_turning;
-      if (ratio > 1 && ratio > attack.excess) attack = {"too curved", ratio, h};
+      if (ratio > 1 && ratio > attack.excess) attack = {"too curved", ratio, h, false};
     }
   if (attack.reason) return attack;
   const double bound = goals.area_bound(mesh.face(t));
@@ -56,17 +58,17 @@ Attack attack_on(const Mesh& mesh, TriangleId t, const QualityGoals& goals) {
     std::array<Point, net_size(max_degree)> net;
     mesh.gather_points(t, net);
     const double ratio = element_area(mesh.degree(), {net.data(), at(mesh.net_size())}) / bound;
-    if (ratio > 1) return {"too large", ratio, none};
+    if (ratio > 1) return {"too large", ratio, none, false};
   }
   if (goals.size) {
     const double wanted = goals.size((1.0 / 3) * (a + b + c), mesh.time);
     const double longest = std::sqrt(std::max({squared_length(b - a), squared_length(c - b), squared_length(a - c)}));
-    if (wanted > 0 && longest > size_slack * wanted) return {"too large", longest / (size_slack * wanted), none};
+    if (wanted > 0 && longest > size_slack * wanted) return {"too large", longest / (size_slack * wanted), none, false};
   }
   if (goals.min_angle > 0) {
     const double limit = 1 / (2 * std::sin(goals.min_angle * std::numbers::pi / 180));
     const double ratio = radius_edge_ratio(a, b, c);
-    if (ratio > limit) return {"too poor", ratio / limit, none};
+    if (ratio > limit) return {"too poor", ratio / limit, none, true};
   }
   return {};
 }
@@ -111,6 +113,7 @@ class Refiner {
 
   void treat(TriangleId t, const Attack& attack) {
     if (attack.edge != none) {
+      least_edge_ = 0;
       if (!split(attack.edge, 0.5)) give_up("too curved: no room to split");
       return;
     }
@@ -121,6 +124,9 @@ class Refiner {
     const auto corners = corners_of(t);
     int& failures = failures_[corners];
     if (failures >= max_failures) return give_up("circumcentre refused");
+    // Mending a shape must not make edges shorter than the triangle's own shortest: with the bounds on angles that can
+    // be kept this is what holds anyway (Ruppert); where curved edges spoil that, it is what ends the refinement.
+    least_edge_ = attack.is_poor ? shortest : 0;
     if (!insert_circumcenter(t, circumcenter(a, b, c))) {
       ++failures;
       enqueue(t);  // once more, after whatever the failure has changed; then it is given up
@@ -140,7 +146,7 @@ class Refiner {
     if (!location) return false;
     const TriangleId k = location->triangle;
     for (int c = 0; c < 3; ++c)
-      if (distance(mesh_.point(mesh_.corner(k, c)), p) < floor_) return false;
+      if (distance(mesh_.point(mesh_.corner(k, c)), p) < std::max(floor_, least_edge_ * rounding_slack)) return false;
     const FaceId wanted = mesh_.face(t);
     if (mesh_.face(k) != wanted) return false;
     // Near an edge of the element the edge itself is split: slivers would not flip away at a curve.
@@ -165,7 +171,8 @@ class Refiner {
   }
 
   bool split(HalfEdgeId h, double s) {
-    if (distance(mesh_.point(mesh_.origin(h)), mesh_.point(mesh_.target(h))) <= 2 * floor_) return false;
+    const double half = distance(mesh_.point(mesh_.origin(h)), mesh_.point(mesh_.target(h))) / 2;
+    if (half <= floor_ || half < least_edge_ * rounding_slack) return false;
     const bool on_curve = mesh_.is_constrained(h);
     const InsertResult result = split_edge(mesh_, h, s);
     if (result.refusal != Refusal::done) {
@@ -263,6 +270,7 @@ class Refiner {
   const RefineOptions& options_;
   Locator locator_;
   double floor_ = 0;
+  double least_edge_ = 0;  // no new edge may be shorter, while a poor triangle is treated
   std::priority_queue<Entry> queue_;
   std::map<std::array<PointId, 3>, int> failures_;
   std::map<std::string, long> given_up_, refusals_;
