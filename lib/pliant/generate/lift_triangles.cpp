@@ -16,7 +16,8 @@ std::size_t at(I i) {
   return static_cast<std::size_t>(i);
 }
 
-constexpr int most_sweeps = 3;  // over the elements without certificate
+constexpr int most_sweeps = 3;       // over the elements without certificate
+constexpr double way_beyond = 0.25;  // of the way from the first valid place to the best one
 
 }  // namespace
 
@@ -119,14 +120,14 @@ bool LiftedMesh::is_valid(int t) const {
   return (corner < 0 ? certify(degree_, element) : certify_cusp(degree_, element, corner)) == Validity::valid;
 }
 
-/// Untangles with one control point of an element, over all elements (one or two) that have it.
-bool LiftedMesh::move_point(int t, int index) {
+/// A place for one control point of an element, such that all elements (one or two) that have it are valid.
+std::optional<Point> LiftedMesh::valid_place(int t, int index) {
   const NetLayout& layout = NetLayout::of(degree_);
-  const int moving = net(t)[at(index)];
+  Point& moving = points_[at(net(t)[at(index)])];
   std::array<int, 2> around{t, -1};
   if (index < layout.first_interior()) {
     const int e = (index - 3) / (degree_ - 1);
-    if (planar_.span(3 * t + e) >= 0) return false;
+    if (planar_.span(3 * t + e) >= 0) return std::nullopt;
     around[1] = planar_.twin(3 * t + e) / 3;
   }
   std::array<std::array<Point, net_size(max_degree)>, 2> nets;
@@ -134,22 +135,49 @@ bool LiftedMesh::move_point(int t, int index) {
   for (std::size_t i = 0; i < 2 && around[i] >= 0; ++i) {
     const auto own = net(around[i]);
     for (std::size_t n = 0; n < own.size(); ++n) nets[i][n] = points_[at(own[n])];
-    const auto entry = std::find(own.begin(), own.end(), moving) - own.begin();
+    const auto entry = std::find(own.begin(), own.end(), net(t)[at(index)]) - own.begin();
     elements.push_back({std::span<const Point>(nets[i].data(), own.size()), static_cast<int>(entry)});
   }
-  const Placement best = untangle_point(degree_, elements, points_[at(moving)]);
-  if (best.outcome != Placement::Outcome::placed) return false;
-  points_[at(moving)] = best.place;
+  const Point start = moving;
+  const Placement best = untangle_point(degree_, elements, start);
+  if (best.outcome != Placement::Outcome::placed) return std::nullopt;
+  // The best place may be far away and bend the edge more than it needs: look for the first valid one on the way.
+  const auto is_valid_at = [&](double f) {
+    moving = start + f * (best.place - start);
+    return is_valid(t) && (around[1] < 0 || is_valid(around[1]));
+  };
+  double low = 0, high = 1;
+  for (int i = 0; i < 10; ++i) {
+    const double middle = (low + high) / 2;
+    (is_valid_at(middle) ? high : low) = middle;
+  }
+  const Point place = is_valid_at(high + way_beyond * (1 - high)) ? moving : best.place;
+  moving = start;
+  return place;
+}
+
+/// Moves the control point that has to move least.
+bool LiftedMesh::untangle_element(int t, double most_bending) {
+  Box box;
+  for (int c = 0; c < 3; ++c) box.extend(points_[at(net(t)[at(c)])]);
+  double least = most_bending * box.size();
+  int moving = -1;
+  Point to;
+  for (int index = 3; index < net_size(degree_); ++index) {
+    const std::optional<Point> place = valid_place(t, index);
+    if (!place) continue;
+    const double way = distance(*place, points_[at(net(t)[at(index)])]);
+    if (way >= least) continue;
+    least = way;
+    moving = net(t)[at(index)];
+    to = *place;
+  }
+  if (moving < 0) return false;
+  points_[at(moving)] = to;
   return true;
 }
 
-bool LiftedMesh::untangle_element(int t) {
-  for (int index = net_size(degree_) - 1; index >= 3; --index)
-    if (move_point(t, index)) return true;
-  return false;
-}
-
-std::vector<int> LiftedMesh::untangle() {
+std::vector<int> LiftedMesh::untangle(double most_bending) {
   std::vector<int> waiting;
   const int count = static_cast<int>(planar_.corners.size());
   for (int t = 0; t < count; ++t)
@@ -158,7 +186,7 @@ std::vector<int> LiftedMesh::untangle() {
     std::vector<int> left;
     for (const int t : waiting) {
       if (is_valid(t)) continue;
-      if (untangle_element(t))
+      if (untangle_element(t, most_bending))
         ++untangled_;
       else
         left.push_back(t);

@@ -1,4 +1,6 @@
 #pragma once  // lib/pliant/generate/lift_triangles.h: Bézier triangles over a planar mesh, certified (paper §6)
+#include <optional>
+#include <span>
 #include <vector>
 
 #include "pliant/generate/planar_mesh.h"
@@ -14,8 +16,9 @@ class LiftedMesh {
   /// Requires spans of degree `degree`.
   LiftedMesh(int degree, const BoundarySpans& spans, const PlanarMesh& planar);
 
-  /// Certifies, untangles; the elements (numbers in the planar mesh) that stay without certificate.
-  std::vector<int> untangle();
+  /// Certifies, untangles; the elements (numbers in the planar mesh) that stay without certificate. No control point
+  /// moves by more than `most_bending` times its element's extent.
+  std::vector<int> untangle(double most_bending);
 
   long untangled() const { return untangled_; }
   /// Nodes with a corner of tangent angle 0, in ascending order.
@@ -29,8 +32,8 @@ class LiftedMesh {
   void number_points();
   void place_points();
   void find_cusps();
-  bool untangle_element(int t);
-  bool move_point(int t, int index);
+  bool untangle_element(int t, double most_bending);
+  std::optional<Point> valid_place(int t, int index);
 
   int degree_;
   const BoundarySpans& spans_;

@@ -1,6 +1,7 @@
 #include "pliant/generate/mesh_from_boundary.h"
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <set>
 
@@ -13,8 +14,10 @@ namespace pliant {
 namespace {
 
 constexpr int most_rounds = 60;
+constexpr int patient_rounds = 12;     // in which spans are split rather than inner edges bent much
+constexpr double mild_bending = 0.05;  // of an element's extent
 constexpr int most_ear_rounds = 20;
-constexpr double straight = 1e-9;  // radians: spans that turn less are not worth splitting
+constexpr double straight = 1e-9;  // radians: spans that turn less are as good as their chords
 
 class Generator {
  public:
@@ -25,7 +28,7 @@ class Generator {
     for (int round = 0; round < most_rounds; ++round) {
       if (!triangulate_round()) return finish();
       LiftedMesh lifted(degree_, *spans_, planar_);
-      const std::vector<int> invalid = lifted.untangle();
+      const std::vector<int> invalid = lifted.untangle(round < patient_rounds ? mild_bending : HUGE_VAL);
       if (invalid.empty()) {
         finish_mesh(lifted, mesh);
         outcome_.report.add("rounds", round + 1);
@@ -65,16 +68,20 @@ class Generator {
     return true;  // an ear that is left is an invalid element, and its edges will be split
   }
 
-  /// Splits the curved edges of elements that could not be made valid.
+  /// Splits the edges of elements that could not be made valid: curved ones, and straight ones that the third corner
+  /// is so close to that it encroaches.
   bool split_around(const std::vector<int>& invalid) {
     std::set<std::size_t> chosen;
     for (const int t : invalid)
-      for (int h = 3 * t; h < 3 * t + 3; ++h)
-        if (planar_.span(h) >= 0) chosen.insert(static_cast<std::size_t>(planar_.span(h)));
+      for (int h = 3 * t; h < 3 * t + 3; ++h) {
+        if (planar_.span(h) < 0) continue;
+        const auto s = static_cast<std::size_t>(planar_.span(h));
+        if (turning_angle(spans_->polygon(s)) > straight || is_encroached(h)) chosen.insert(s);
+      }
     bool any = false;
     const double least = least_span(boundary_);
     for (const std::size_t s : chosen) {
-      if (turning_angle(spans_->polygon(s)) <= straight || !split_span(boundary_, (*spans_)[s], least)) continue;
+      if (!split_span(boundary_, (*spans_)[s], least)) continue;
       any = true;
       ++splits_;
     }
@@ -85,6 +92,13 @@ class Generator {
       outcome_.failure = "no valid element was found near " + describe_point(last_place_) + " (" +
                          std::to_string(invalid.size()) + " elements are left without a certificate)";
     return any;
+  }
+
+  /// Does the opposite corner lie in the chord's diametral circle?
+  bool is_encroached(int h) const {
+    const auto point = [this](int g) { return planar_.points[static_cast<std::size_t>(planar_.origin(g))]; };
+    const Point apex = point(h % 3 == 0 ? h + 2 : h - 1);
+    return dot(point(h) - apex, point(h % 3 == 2 ? h - 2 : h + 1) - apex) < 0;
   }
 
   void finish_mesh(const LiftedMesh& lifted, Mesh& mesh) {
