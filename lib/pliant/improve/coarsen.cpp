@@ -214,7 +214,7 @@ class Coarsener {
     look_around(around_, link_);
     for (const TriangleId t : around_)
       for (int e = 0; e < 3; ++e)
-        if (edge_state(mesh_, half_edge(t, e)) == EdgeState::not_delaunay) stack_.push_back(half_edge(t, e));
+        if (wants_flip(edge_state(mesh_, half_edge(t, e)))) stack_.push_back(half_edge(t, e));
     legalize(mesh_, stack_, options_.refit, counts_);
     look_around(around_, link_);
     for (const TriangleId t : around_) {

@@ -9,8 +9,7 @@ namespace pliant {
 PassReport enforce_delaunay(Mesh& mesh, const DelaunayOptions& options) {
   std::vector<HalfEdgeId> stack;
   for (HalfEdgeId h = 3 * mesh.triangle_slots() - 1; h >= 0; --h)
-    if (mesh.is_alive(triangle_of(h)) && mesh.twin(h) < h && edge_state(mesh, h) == EdgeState::not_delaunay)
-      stack.push_back(h);
+    if (mesh.is_alive(triangle_of(h)) && mesh.twin(h) < h && wants_flip(edge_state(mesh, h))) stack.push_back(h);
   LegalizeCounts counts;
   legalize(mesh, stack, options.refit, counts, options.max_flips);
   mesh.compact();
@@ -20,7 +19,7 @@ PassReport enforce_delaunay(Mesh& mesh, const DelaunayOptions& options) {
     if (mesh.twin(h) > h) continue;
     const EdgeState state = edge_state(mesh, h);
     if (state == EdgeState::not_delaunay) ++not_delaunay;
-    if (state == EdgeState::inverted) ++inverted;
+    if (state == EdgeState::inverted || state == EdgeState::turned_over) ++inverted;
   }
   PassReport report;
   report.add("flips", static_cast<double>(counts.flips));

@@ -11,7 +11,9 @@ struct DelaunayOptions {
 };
 
 /// Flips unconstrained edges until every one is locally Delaunay in the logical mesh (exact in-circle), or its flip was
-/// refused. Edges whose old or new logical triangles are not all positive are left alone and counted.
+/// refused. A logical triangle that has turned over (a vertex has crossed an edge that bends round it) is flipped back
+/// where that makes both triangles positive; other edges whose old or new logical triangles are not all positive are
+/// left alone and counted.
 PassReport enforce_delaunay(Mesh& mesh, const DelaunayOptions& options = {});
 
 }  // namespace pliant

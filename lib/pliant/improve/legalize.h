@@ -9,8 +9,12 @@ namespace pliant {
 enum class EdgeState {
   delaunay,      ///< locally Delaunay, constrained, or on the outer boundary
   not_delaunay,  ///< its flip is wanted and its four logical triangles are positive
+  turned_over,   ///< one of its logical triangles is not positive, and a flip makes both so
   inverted       ///< one of the old or new logical triangles is not positive: not tested
 };
+constexpr bool wants_flip(EdgeState state) {
+  return state == EdgeState::not_delaunay || state == EdgeState::turned_over;
+}
 /// The state of an edge in the logical mesh, by exact predicates.
 EdgeState edge_state(const Mesh& mesh, HalfEdgeId h);
 
@@ -20,8 +24,9 @@ struct LegalizeCounts {
   void refuse(Refusal reason);
 };
 /// Flips the edges on the stack, and what their flips disturb, until all are locally Delaunay or refused. Empties the
-/// stack. Terminates: every flip lowers the lifted volume strictly.
-/// `touched`, if given, receives the triangles of every flip.
+/// stack. Terminates: a Delaunay flip lowers the lifted volume strictly and leaves positive triangles, a flip of what
+/// is turned over lowers the number of triangles that are not positive. `touched`, if given, receives the triangles of
+/// every flip.
 void legalize(Mesh& mesh, std::vector<HalfEdgeId>& stack, const RefitOptions& refit, LegalizeCounts& counts,
               long max_flips = -1, std::vector<TriangleId>* touched = nullptr);
 

@@ -26,7 +26,9 @@ Refusal flip_edge(Mesh& mesh, HalfEdgeId h, const RefitOptions& options) {
   const TriangleId t = triangle_of(h), u = triangle_of(g);
   const PointId a = mesh.origin(h), b = mesh.target(h), c = mesh.apex(h), d = mesh.apex(g);
   const Point &pa = mesh.point(a), &pb = mesh.point(b), &pc = mesh.point(c), &pd = mesh.point(d);
-  if (orient2d(pa, pd, pc) <= 0 || orient2d(pd, pb, pc) <= 0 || orient2d(pa, pb, pc) <= 0 || orient2d(pb, pa, pd) <= 0)
+  // One of the old logical triangles may be turned over: the flip mends that.
+  if (orient2d(pa, pd, pc) <= 0 || orient2d(pd, pb, pc) <= 0 ||
+      (orient2d(pa, pb, pc) <= 0 && orient2d(pb, pa, pd) <= 0))
     return Refusal::not_convex;
   if (c == d || find_half_edge(mesh, c, d) != none || find_half_edge(mesh, d, c) != none) return Refusal::edge_exists;
 

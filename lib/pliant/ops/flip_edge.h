@@ -5,7 +5,8 @@
 namespace pliant {
 
 /// Flips the edge of half-edge h: topology, then geometry by the displacement projection (or optimal placement), then
-/// fields. On success h is a half-edge of the new edge. Refuses as `Refusal` says.
+/// fields. The new logical triangles must be positive, and at least one of the old ones. On success h is a half-edge of
+/// the new edge. Refuses as `Refusal` says.
 Refusal flip_edge(Mesh& mesh, HalfEdgeId h, const RefitOptions& options = {});
 
 }  // namespace pliant
