@@ -110,15 +110,6 @@ void add_common_options(CLI::App& app, ToolOptions& options, bool with_report) {
         ->type_name("FILE");
   auto* quiet = app.add_flag("-q,--quiet", options.quiet, "no messages");
   app.add_flag("-v,--verbose", options.verbose, "say what was done")->excludes(quiet);
-  app.add_option("-j,--threads", options.threads, "threads; the result does not depend on them")
-      ->type_name("N")
-      ->check(CLI::Validator(
-          [](std::string& text) {
-            const bool right = !text.empty() && text.size() < 5 && text[0] != '0' &&
-                               text.find_first_not_of("0123456789") == std::string::npos;
-            return right ? std::string() : "'" + text + "' is not a number of threads from 1 to 9999";
-          },
-          ""));
   app.set_version_flag("--version", app.get_name() + " (Pliant) " PLIANT_VERSION);
 }
 

@@ -55,7 +55,6 @@ struct ToolOptions {
   std::string report;        ///< --report; empty: none
   bool quiet = false;        ///< -q, --quiet
   bool verbose = false;      ///< -v, --verbose
-  int threads = 1;           ///< -j, --threads
 };
 
 /// Adds [INPUT], -o, -q, -v, -j, --version and (unless `with_report` is false) --report.

@@ -42,7 +42,5 @@ for tool in "${mesh_filters[@]}"; do
   filter "$tool" series.jsonl >all.jsonl 2>err || fail "$tool over a series: $(head -c 300 err)"
   while IFS= read -r frame; do printf '%s\n' "$frame" | filter "$tool"; done <series.jsonl >each.jsonl
   same all.jsonl each.jsonl
-  filter "$tool" series.jsonl -j 2 >threads.jsonl
-  same threads.jsonl all.jsonl
 done
 finish

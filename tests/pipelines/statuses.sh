@@ -15,7 +15,6 @@ for tool in passthrough "${built[@]}"; do
   says "$tool: "
   run 2 "$tool" disk.json three.json
   run 2 "$tool" -q -v disk.json
-  for threads in 0 -3 1.5 nan x; do run 2 "$tool" -j "$threads" disk.json; done
 done
 
 # Numbers of options are finite, and positive where they must be.
