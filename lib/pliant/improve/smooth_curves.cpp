@@ -2,8 +2,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <functional>
+#include <initializer_list>
 #include <map>
 #include <queue>
+#include <span>
 #include <string>
 
 #include "pliant/geometry/validity.h"
@@ -14,7 +18,7 @@
 namespace pliant {
 namespace {
 
-constexpr double progress = 1e-3;  // a visit must lower the excess by this much (relative) for another one to follow
+constexpr double progress = 1e-2;  // a visit must lower the excess by this much (relative) for another one to follow
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
@@ -95,15 +99,17 @@ class Smoother {
         continue;
       }
       ++visits_[at(entry.triangle)];
+      std::array<double, 3> neighbours{};
+      for (int e = 0; e < 3; ++e) neighbours[at(e)] = excess_across(half_edge(entry.triangle, e));
       if (!smooth(entry.triangle)) continue;
       const double after = excess(entry.triangle);
       if (after < before * (1 - progress)) enqueue(entry.triangle);
-      for (int e = 0; e < 3; ++e) {
-        const HalfEdgeId g = mesh_.twin(half_edge(entry.triangle, e));
-        if (g != none) enqueue(triangle_of(g));
-      }
+      for (int e = 0; e < 3; ++e)
+        if (std::abs(excess_across(half_edge(entry.triangle, e)) - neighbours[at(e)]) > progress * neighbours[at(e)])
+          enqueue(triangle_of(mesh_.twin(half_edge(entry.triangle, e))));
     }
   }
+  double excess_across(HalfEdgeId h) const { return mesh_.twin(h) == none ? 0 : excess(triangle_of(mesh_.twin(h))); }
 
   /// Smooths the edges and the inner points of one element; true if anything moved.
   bool smooth(TriangleId t) {
@@ -111,13 +117,51 @@ class Smoother {
     for (int e = 0; e < 3; ++e) {
       const HalfEdgeId h = half_edge(t, e), g = mesh_.twin(h);
       if (g == none || mesh_.is_constrained(h)) continue;
-      const SmoothGoal goal = is_valid(t) && is_valid(triangle_of(g)) ? SmoothGoal::improve : SmoothGoal::untangle;
-      note(smooth_edge(mesh_, h, goal, options_.refit), moved);
+      const std::array<TriangleId, 2> pair{t, triangle_of(g)};
+      if (!is_valid(t) || !is_valid(pair[1])) {
+        note(smooth_edge(mesh_, h, SmoothGoal::untangle, options_.refit), moved);
+        continue;
+      }
+      const auto improve = [&] { return smooth_edge(mesh_, h, SmoothGoal::improve, options_.refit); };
+      const auto half = [&] { return straighten_edge(mesh_, h, 0.5, options_.refit); };
+      const auto straight = [&] { return straighten_edge(mesh_, h, 0, options_.refit); };
+      note(take_best(pair, {improve, half, straight}), moved);
     }
-    if (mesh_.degree() > 2)
-      note(smooth_interior(mesh_, t, is_valid(t) ? SmoothGoal::improve : SmoothGoal::untangle, options_.refit), moved);
+    if (mesh_.degree() <= 2) return moved;
+    if (!is_valid(t)) {
+      note(smooth_interior(mesh_, t, SmoothGoal::untangle, options_.refit), moved);
+      return moved;
+    }
+    const std::array<TriangleId, 1> one{t};
+    const auto improve = [&] { return smooth_interior(mesh_, t, SmoothGoal::improve, options_.refit); };
+    const auto blend = [&] { return blend_interior(mesh_, t, options_.refit); };
+    note(take_best(one, {improve, blend}), moved);
     return moved;
   }
+
+  /// Tries each way of smoothing, and takes the one that leaves the elements least curved, if that is less than now.
+  Refusal take_best(std::span<const TriangleId> elements, std::initializer_list<std::function<Refusal()>> ways) {
+    const auto worst = [&] {
+      double most = 0;
+      for (const TriangleId t : elements) most = std::max(most, excess(t));
+      return most;
+    };
+    double least = worst() * (1 - progress);
+    const std::function<Refusal()>* best = nullptr;
+    Refusal refusal = Refusal::would_invert;
+    for (const auto& way : ways) {
+      Transaction trial(mesh_);
+      const Refusal outcome = way();
+      if (outcome != Refusal::done) {
+        refusal = outcome;
+        continue;
+      }
+      const double now = worst();
+      if (now < least) least = now, best = &way;
+    }
+    return best ? (*best)() : refusal;
+  }
+
   void note(Refusal refusal, bool& moved) {
     if (refusal == Refusal::done) {
       ++smoothed_;
