@@ -200,7 +200,8 @@ class Coarsener {
     Refusal refusal;
     if (role == Role::curve) {
       const CurveRemoval removal = remove_curve_vertex(
-          mesh_, v, {options_.tolerance, options_.step_tolerance, options_.keep_area}, options_.refit);
+          mesh_, v, {options_.tolerance, options_.step_tolerance, options_.keep_area, options_.goals.max_turning},
+          options_.refit);
       refusal = removal.refusal;
       error = removal.error;
     } else {

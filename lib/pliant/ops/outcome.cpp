@@ -24,6 +24,8 @@ const char* describe(Refusal refusal) {
       return "not removable";
     case Refusal::exceeds_tolerance:
       return "exceeds the tolerance";
+    case Refusal::too_curved:
+      return "would turn too much";
     case Refusal::not_in_domain:
       return "outside";
   }

@@ -13,6 +13,7 @@ enum class Refusal {
   would_invert,       ///< no valid place for the new control points
   not_removable,      ///< the star cannot be reduced, or the curve is at its minimum
   exceeds_tolerance,  ///< knot removal would move the curve too far
+  too_curved,         ///< the edge that knot removal leaves would turn too much
   not_in_domain       ///< the point is outside
 };
 /// The reason in a few words, for reports.

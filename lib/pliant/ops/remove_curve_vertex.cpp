@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 
+#include "pliant/geometry/turning_angle.h"
 #include "pliant/mesh/star.h"
 #include "pliant/ops/merge.h"
 #include "pliant/ops/refit.h"
@@ -110,32 +111,31 @@ double restore_area(const BSpline& old, BSpline& spline, double knot) {
         break;
       }
     }
+  // The area is quadratic in the points, so central differences are its gradient; few steps along it suffice.
+  const auto area_with = [&](int k, const Point& place) {
+    const Point kept = spline.points()[at(k)];
+    spline.set_point(k, place);
+    const double area = spline.area();
+    spline.set_point(k, kept);
+    return area;
+  };
+  double squares = 0;
+  std::vector<Vector> gradient;
+  for (const int k : near) {
+    const Point p0 = spline.points()[at(k)];
+    gradient.push_back({(area_with(k, p0 + Vector{1, 0}) - area_with(k, p0 - Vector{1, 0})) / 2,
+                        (area_with(k, p0 + Vector{0, 1}) - area_with(k, p0 - Vector{0, 1})) / 2});
+    squares += squared_length(gradient.back());
+  }
   const double wanted = old.area();
-  for (int round = 0; round < 3; ++round) {  // the area is quadratic in the points: Newton along its gradient
+  for (int step = 0; step < 3 && squares > 0; ++step) {
     const double missing = wanted - spline.area();
-    double squares = 0;
-    std::vector<Vector> gradient;
-    for (const int k : near) {
-      const Point place = spline.points()[at(k)];
-      Vector g;
-      spline.set_point(k, place + Vector{1, 0});
-      g.x = spline.area();
-      spline.set_point(k, place - Vector{1, 0});
-      g.x = (g.x - spline.area()) / 2;
-      spline.set_point(k, place + Vector{0, 1});
-      g.y = spline.area();
-      spline.set_point(k, place - Vector{0, 1});
-      g.y = (g.y - spline.area()) / 2;
-      spline.set_point(k, place);
-      gradient.push_back(g);
-      squares += squared_length(g);
-    }
-    if (!(squares > 0)) break;
     for (std::size_t k = 0; k < near.size(); ++k)
       spline.set_point(near[k], spline.points()[at(near[k])] + (missing / squares) * gradient[k]);
   }
   BSpline again = spline;
-  for (int m = old.multiplicity(knot); m > 0; --m) again.insert_knot(knot);
+  const double place = knot < again.first_parameter() ? knot + again.period() : knot;  // the first break is gone
+  for (int m = old.multiplicity(knot); m > 0; --m) again.insert_knot(place);
   // A closed curve that loses its first break starts at the next one: its points are then one place further.
   std::size_t shift = 0;
   while (old.closed() && shift + 1 < old.points().size() && old.knot(static_cast<int>(shift)) < again.knot(0)) ++shift;
@@ -176,9 +176,13 @@ CurveRemoval remove_curve_vertex(Mesh& mesh, PointId v, const CurveTolerance& to
   BSpline spline = curve.spline;
   std::optional<double> error = spline.remove_break(knot);
   if (!error) return {Refusal::not_removable, 0};
-  if (tolerance.keep_area) error = restore_area(curve.spline, spline, knot);
-  const double total = curve.removal_error + *error;
-  if (!(total <= tolerance.total && *error <= tolerance.step)) return {Refusal::exceeds_tolerance, *error};
+  const auto is_tolerable = [&] { return curve.removal_error + *error <= tolerance.total && *error <= tolerance.step; };
+  if (is_tolerable() && tolerance.keep_area) error = restore_area(curve.spline, spline, knot);
+  if (!is_tolerable()) return {Refusal::exceeds_tolerance, *error};
+  std::array<Point, max_degree + 1> merged_polygon;
+  const std::span<Point> long_span{merged_polygon.data(), at(mesh.degree() + 1)};
+  spline.extract(start, long_span);
+  if (turning_angle(long_span) > tolerance.max_turning) return {Refusal::too_curved, *error};
   const PointId from = mesh.constraint_first(kept);
   const PointId to = mesh.origin(passage.after) == v ? mesh.target(passage.after) : mesh.origin(passage.after);
   if (find_half_edge(mesh, from, to) != none || find_half_edge(mesh, to, from) != none)
@@ -242,18 +246,11 @@ CurveRemoval remove_curve_vertex(Mesh& mesh, PointId v, const CurveTolerance& to
   thread_local Patch patch;
   patch.capture(mesh, before);
 
-  // Where the elements are a subdivision, its parents' rows come back.
+  // Where the elements are a subdivision, its parents' rows come back. Each side finds the long edge for itself: fields
+  // by face differ there, and what is shared comes out the same.
   std::vector<std::vector<double>> parents(fans.size());
   bool restored = true;
-  for (std::size_t k = 0; k < fans.size() && restored; ++k) {
-    std::vector<double> shared;
-    if (k == 1) {
-      shared.resize(at((p + 1) * width));
-      for (int i = 0; i <= p; ++i)
-        std::copy_n(parents[0].begin() + mesh.layout().edge_index(2, p - i) * width, width, shared.begin() + i * width);
-    }
-    restored = recover_merged(mesh, v, fans[k], parents[k], k == 1 ? &shared : nullptr);
-  }
+  for (std::size_t k = 0; k < fans.size() && restored; ++k) restored = recover_merged(mesh, v, fans[k], parents[k]);
 
   // Topology. The long edge of a fan runs from its last vertex to its first.
   const EdgePoints old_before = side_of(mesh, now.before).points, old_after = side_of(mesh, now.after).points;
@@ -269,7 +266,7 @@ CurveRemoval remove_curve_vertex(Mesh& mesh, PointId v, const CurveTolerance& to
   mesh.free_constraint(dropped);
   free_edge_points(mesh, old_after);
   mesh.free_point(v);
-  mesh.set_spline(passage.curve, std::move(spline), total);
+  mesh.set_spline(passage.curve, std::move(spline), curve.removal_error + *error);
 
   // Geometry: the curve as extracted; what hangs on moved vertices keeps its displacement.
   std::vector<TriangleId> after;

@@ -20,9 +20,10 @@ struct CurveRemoval {
 };
 /// Bounds of what removing a knot may do to its curve.
 struct CurveTolerance {
-  double total;            ///< of the curve's accumulated error (length)
-  double step = HUGE_VAL;  ///< of this removal's own error (length)
-  bool keep_area = false;  ///< control points near the knot take up the change of the area that the curve sweeps
+  double total;                   ///< of the curve's accumulated error (length)
+  double step = HUGE_VAL;         ///< of this removal's own error (length)
+  bool keep_area = false;         ///< control points near the knot take up the change of the area that the curve sweeps
+  double max_turning = HUGE_VAL;  ///< of the edge that is left (radians)
 };
 /// Removes a vertex in the interior of a curve: knot removal with its footprint, 4→2 or 2→1 after the ears. Refused
 /// when an error would exceed its bound.
