@@ -228,3 +228,14 @@ TEST_CASE("the control mesh's measures are optimal on the control mesh", "[geome
     if (star.is_valid(best)) CHECK(result.value >= least(best) - 1e-9);
   }
 }
+
+TEST_CASE("a flat element, whose det J rounding alone decides, is given up soon", "[geometry]") {
+  const Net flat{{-0.16049544091598084, 0.24019840175639592},  {-0.24074316137397134, 0.36029760263459387},
+                 {-0.080247720457990335, 0.12009920087819796}, {-0.20061930114497609, 0.30024800219549486},
+                 {-0.16049544091598084, 0.2401984017563959},   {-0.12037158068698559, 0.18014880131729694}};
+  const Net other{{-0.24074316137397134, 0.36029760263459387},  {-0.29694691124929734, 0.23588395088196834},
+                  {-0.080247720457990335, 0.12009920087819796}, {-0.26884503631163437, 0.29809077675828111},
+                  {-0.18859731585364387, 0.17799157588008319},  {-0.16049544091598084, 0.2401984017563959}};
+  const std::vector<PlacementElement> elements{{flat, 4}, {other, 5}};
+  CHECK(untangle_point(2, elements, flat[4]).outcome != Placement::Outcome::placed);
+}

@@ -17,6 +17,7 @@ namespace {
 constexpr double reach = 4;          // places looked at: as far as four times the farthest fixed control point
 constexpr int most_rounds = 40;      // of cuts
 constexpr double proof_gap = 1e-11;  // above all rounding of coefficients of the order of 1
+constexpr int most_pieces = 400;     // a flat element would be quartered everywhere, round after round
 
 /// det J of one element, or of a piece of one: coefficients that are affine in the place, as rows (a, b, c).
 struct Piece {
@@ -122,7 +123,7 @@ Placement untangle_elements(PlacementStar& star, const Point& start) {
         if (n % size >= 3 && functions[n](optimum.place) <= proof_gap) tight.push_back(n / size);
     std::sort(tight.begin(), tight.end());
     tight.erase(std::unique(tight.begin(), tight.end()), tight.end());
-    if (tight.empty()) return best;
+    if (tight.empty() || pieces.size() + 3 * tight.size() > most_pieces) return best;
     for (auto piece = tight.rbegin(); piece != tight.rend(); ++piece) {
       const Piece parent = std::move(pieces[*piece]);
       pieces.erase(pieces.begin() + static_cast<std::ptrdiff_t>(*piece));
