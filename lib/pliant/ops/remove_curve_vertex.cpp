@@ -312,7 +312,14 @@ CurveRemoval remove_curve_vertex(Mesh& mesh, PointId v, const CurveTolerance& to
     const InnerPoints ids = inner_points(mesh, t);
     inner.insert(inner.end(), ids.begin(), ids.begin() + interior_size(p));
   }
-  if (!patch.fit_geometry(mesh, merged_triangles, inner)) return {Refusal::would_invert, *error};
+  if (restored) {
+    for (std::size_t k = 0; k < fans.size(); ++k)
+      for (int i = mesh.layout().first_interior(); i < mesh.net_size(); ++i)
+        mesh.set_point(mesh.net(merged_triangles[k])[at(i)],
+                       {parents[k][at(i * width)], parents[k][at(i * width + 1)]});
+  } else if (!patch.fit_geometry(mesh, merged_triangles, inner)) {
+    return {Refusal::would_invert, *error};
+  }
   if (!all_valid(mesh, after)) return {Refusal::would_invert, *error};
 
   // Fields: linear functions follow the moved points; the merged elements are restored or fitted.
