@@ -2,16 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
-#include <limits>
 #include <numbers>
 #include <sstream>
 #include <utility>
 
-#define TINYGLTF_NO_STB_IMAGE
-#define TINYGLTF_NO_STB_IMAGE_WRITE
-#include <tiny_gltf.h>
-
+#include "formats/gltf_buffer.h"
 #include "formats/mesh_edges.h"
 #include "formats/tessellation.h"
 #include "pliant/mesh/check_mesh.h"
@@ -20,7 +15,6 @@ namespace pliant {
 namespace {
 
 using tinygltf::Value;
-using Bytes = std::vector<unsigned char>;
 
 constexpr double color_tolerance = 0.01;  // of the frame's range: how far a field's colour may be off
 constexpr double color_spread = 0.15;     // of it: beyond that, colours mixed from a piece's corners are not the map's
@@ -29,37 +23,20 @@ constexpr int circle_corners = 128;
 constexpr Rgb ink{0.078, 0.137, 0.18};
 constexpr Rgb plain{0.86, 0.89, 0.92};
 
-template <class T>
-void append(Bytes& bytes, const T& value) {
-  const std::size_t at = bytes.size();
-  bytes.resize(at + sizeof(T));
-  std::memcpy(bytes.data() + at, &value, sizeof(T));
+tinygltf::Primitive primitive(int positions, int indices, int material, int mode) {
+  tinygltf::Primitive result;
+  result.attributes["POSITION"] = positions;
+  result.indices = indices;
+  result.material = material;
+  result.mode = mode;
+  return result;
 }
-
-void align(Bytes& bytes) { bytes.resize((bytes.size() + 3) / 4 * 4); }
 
 }  // namespace
 
 struct GltfWriter::State {
-  explicit State(GltfOptions given) : options(std::move(given)) {
-    for (const char* name : {"positions", "indices", "colors", "animation"}) {
-      tinygltf::BufferView view;
-      view.name = name;
-      view.buffer = 0;
-      model.bufferViews.push_back(view);
-    }
-    model.bufferViews[positions_view].target = TINYGLTF_TARGET_ARRAY_BUFFER;
-    model.bufferViews[positions_view].byteStride = options.quantize ? 8 : 12;
-    model.bufferViews[indices_view].target = TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER;
-    model.bufferViews[colors_view].target = TINYGLTF_TARGET_ARRAY_BUFFER;
-    model.bufferViews[colors_view].byteStride = 4;
-  }
+  explicit State(GltfOptions given) : options(std::move(given)), buffer(options.quantize) {}
 
-  enum View : std::size_t { positions_view, indices_view, colors_view, animation_view, view_count };
-
-  int add_accessor(View view, std::size_t offset, std::size_t count, int component, int type);
-  int add_positions(const std::vector<Point>& points, const Box& box);
-  int add_indices(const std::vector<std::uint32_t>& indices, std::size_t vertices);
   int add_colors(const Tessellation& pieces);
   int material(int& slot, const char* name, const Rgb& color, double opacity);
   int add_node(const char* name, const std::vector<tinygltf::Primitive>& primitives, const Box& box, double height);
@@ -67,12 +44,10 @@ struct GltfWriter::State {
   void add_circles();
   void color_vertices();
   void animate();
-  int add_keys(const std::vector<float>& keys);
-  void gather();
 
   GltfOptions options;
+  GltfBuffer buffer;
   tinygltf::Model model;
-  std::array<Bytes, view_count> bytes;
   std::vector<float> values;  // of every coloured vertex of all frames; for faces, the face
   ValueRange range;
   std::string title;
@@ -83,73 +58,12 @@ struct GltfWriter::State {
   int fill = -1, lines = -1, outline = -1, invalid = -1, obstacle = -1;
 };
 
-int GltfWriter::State::add_accessor(View view, std::size_t offset, std::size_t count, int component, int type) {
-  tinygltf::Accessor accessor;
-  accessor.bufferView = static_cast<int>(view);
-  accessor.byteOffset = offset;
-  accessor.count = count;
-  accessor.componentType = component;
-  accessor.type = type;
-  model.accessors.push_back(std::move(accessor));
-  return static_cast<int>(model.accessors.size()) - 1;
-}
-
-int GltfWriter::State::add_positions(const std::vector<Point>& points, const Box& box) {
-  Bytes& out = bytes[positions_view];
-  const std::size_t offset = out.size();
-  std::array<double, 3> low{HUGE_VAL, HUGE_VAL, 0}, high{-HUGE_VAL, -HUGE_VAL, 0};
-  const auto put = [&](std::size_t axis, auto number) {
-    append(out, number);
-    low[axis] = std::min(low[axis], double(number));
-    high[axis] = std::max(high[axis], double(number));
-  };
-  const auto step = [](double value, double from, double to) {
-    return static_cast<std::uint16_t>(to > from ? std::lround((value - from) / (to - from) * 65535) : 0);
-  };
-  for (const Point& p : points)
-    if (options.quantize) {
-      put(0, step(p.x, box.low.x, box.high.x));
-      put(1, step(p.y, box.low.y, box.high.y));
-      append(out, std::uint32_t{0});
-    } else {
-      put(0, static_cast<float>(p.x - center.x));
-      put(1, static_cast<float>(p.y - center.y));
-      append(out, 0.0F);
-    }
-  const int component = options.quantize ? TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT : TINYGLTF_COMPONENT_TYPE_FLOAT;
-  const int accessor = add_accessor(positions_view, offset, points.size(), component, TINYGLTF_TYPE_VEC3);
-  model.accessors.back().normalized = options.quantize;
-  model.accessors.back().minValues.assign(low.begin(), low.end());
-  model.accessors.back().maxValues.assign(high.begin(), high.end());
-  return accessor;
-}
-
-int GltfWriter::State::add_indices(const std::vector<std::uint32_t>& indices, std::size_t vertices) {
-  Bytes& out = bytes[indices_view];
-  const std::size_t offset = out.size();
-  // The greatest number of a type means "restart" and may not be an index.
-  const bool is_short = vertices <= std::numeric_limits<std::uint16_t>::max();
-  for (const std::uint32_t i : indices)
-    if (is_short)
-      append(out, static_cast<std::uint16_t>(i));
-    else
-      append(out, i);
-  align(out);
-  return add_accessor(indices_view, offset, indices.size(),
-                      is_short ? TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT : TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT,
-                      TINYGLTF_TYPE_SCALAR);
-}
-
 /// Keeps the values: what colours they are is known when the range of all frames is.
 int GltfWriter::State::add_colors(const Tessellation& pieces) {
-  const std::size_t offset = 4 * values.size();
   for (const double value : pieces.values) values.push_back(static_cast<float>(value));
   if (options.color.kind == ColorBy::Kind::face)
     for (const FaceId face : pieces.vertex_faces) values.push_back(static_cast<float>(face));
-  const int accessor = add_accessor(colors_view, offset, pieces.vertices.size(), TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE,
-                                    TINYGLTF_TYPE_VEC4);
-  model.accessors.back().normalized = true;
-  return accessor;
+  return buffer.reserve_colors(pieces.vertices.size());
 }
 
 int GltfWriter::State::material(int& slot, const char* name, const Rgb& color, double opacity) {
@@ -185,15 +99,6 @@ int GltfWriter::State::add_node(const char* name, const std::vector<tinygltf::Pr
   return static_cast<int>(model.nodes.size()) - 1;
 }
 
-tinygltf::Primitive primitive(int positions, int indices, int material, int mode) {
-  tinygltf::Primitive result;
-  result.attributes["POSITION"] = positions;
-  result.indices = indices;
-  result.material = material;
-  result.mode = mode;
-  return result;
-}
-
 /// A band along each constrained edge, as lines of one pixel are all that most viewers draw.
 void GltfWriter::State::add_outlines(const MeshData& mesh, std::vector<Point>& vertices,
                                      std::vector<std::uint32_t>& triangles) const {
@@ -224,8 +129,8 @@ void GltfWriter::State::add_circles() {
     }
     Box box;
     for (const Point& p : corners) box.extend(p);
-    const int at = add_positions(corners, box);
-    const auto disk = primitive(at, add_indices(triangles, corners.size()),
+    const int at = buffer.add_positions(corners, center, box);
+    const auto disk = primitive(at, buffer.add_indices(triangles, corners.size()),
                                 material(obstacle, "obstacle", obstacle_color, 1), TINYGLTF_MODE_TRIANGLES);
     circle_nodes.push_back(add_node("obstacle", {disk}, box, 0));
   }
@@ -239,42 +144,23 @@ void GltfWriter::State::color_vertices() {
       color = face_color(static_cast<FaceId>(value));
     else if (std::isfinite(value))
       color = options.map->at(shown.place(value));
-    for (const double part : linear_light(color))
-      append(bytes[colors_view], static_cast<std::uint8_t>(std::lround(part * 255)));
-    append(bytes[colors_view], std::uint8_t{255});
+    buffer.append_color(linear_light(color));
   }
-}
-
-int GltfWriter::State::add_keys(const std::vector<float>& keys) {
-  Bytes& out = bytes[animation_view];
-  const std::size_t offset = out.size();
-  for (const float key : keys) append(out, key);
-  const int accessor =
-      add_accessor(animation_view, offset, keys.size(), TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_SCALAR);
-  model.accessors.back().minValues = {double(keys.front())};
-  model.accessors.back().maxValues = {double(keys.back())};
-  return accessor;
 }
 
 /// The frames' nodes, each shown (scale 1) during its frame and hidden (scale 0) otherwise.
 void GltfWriter::State::animate() {
-  const auto scales = [this](const std::vector<float>& numbers) {
-    Bytes& out = bytes[animation_view];
-    const std::size_t offset = out.size();
-    for (const float number : numbers)
-      for (int axis = 0; axis < 3; ++axis) append(out, number);
-    return add_accessor(animation_view, offset, numbers.size(), TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC3);
-  };
   const auto key = [this](std::size_t i) { return static_cast<float>(double(i) / options.frames_per_second); };
   const std::size_t count = frames.size();
   tinygltf::Animation animation;
   animation.name = "series";
-  const int first = scales({1, 0}), middle = count > 2 ? scales({0, 1, 0}) : -1, last = scales({0, 1, 1});
+  const int first = buffer.add_scales({1, 0}), middle = count > 2 ? buffer.add_scales({0, 1, 0}) : -1,
+            last = buffer.add_scales({0, 1, 1});
   for (std::size_t i = 0; i < count; ++i) {
     tinygltf::AnimationSampler sampler;
     sampler.interpolation = "STEP";
     // The last frame's second key at the end gives it its time on the screen.
-    sampler.input = i == 0 ? add_keys({0, key(1)}) : add_keys({0, key(i), key(i + 1)});
+    sampler.input = i == 0 ? buffer.add_keys({0, key(1)}) : buffer.add_keys({0, key(i), key(i + 1)});
     sampler.output = i == 0 ? first : i + 1 == count ? last : middle;
     tinygltf::AnimationChannel channel;
     channel.sampler = static_cast<int>(i);
@@ -284,27 +170,6 @@ void GltfWriter::State::animate() {
     animation.channels.push_back(std::move(channel));
   }
   model.animations.push_back(std::move(animation));
-}
-
-/// Puts the parts of the buffer together, and drops the views that nothing uses.
-void GltfWriter::State::gather() {
-  tinygltf::Buffer buffer;
-  std::vector<tinygltf::BufferView> used;
-  std::array<int, view_count> number{};
-  for (std::size_t v = 0; v < view_count; ++v) {
-    if (bytes[v].empty()) continue;
-    number[v] = static_cast<int>(used.size());
-    tinygltf::BufferView view = model.bufferViews[v];
-    view.byteOffset = buffer.data.size();
-    view.byteLength = bytes[v].size();
-    buffer.data.insert(buffer.data.end(), bytes[v].begin(), bytes[v].end());
-    used.push_back(std::move(view));
-    Bytes().swap(bytes[v]);
-  }
-  model.bufferViews = std::move(used);
-  for (tinygltf::Accessor& accessor : model.accessors)
-    accessor.bufferView = number[static_cast<std::size_t>(accessor.bufferView)];
-  model.buffers.push_back(std::move(buffer));
 }
 
 GltfWriter::GltfWriter(GltfOptions options) : state_(std::make_unique<State>(std::move(options))) {}
@@ -339,7 +204,7 @@ void GltfWriter::add(const MeshData& mesh) {
   for (const Point& p : pieces.vertices) box.extend(p);
   for (const Point& p : outline) box.extend(p);
 
-  const int at = s.add_positions(pieces.vertices, box);
+  const int at = s.buffer.add_positions(pieces.vertices, s.center, box);
   const std::size_t count = pieces.vertices.size();
   const bool colored = options.color.kind != ColorBy::Kind::nothing;
   const int colors = colored ? s.add_colors(pieces) : -1;
@@ -348,25 +213,26 @@ void GltfWriter::add(const MeshData& mesh) {
     frame.children.push_back(s.add_node(name, {p}, box, height));
   };
   if (!pieces.triangles.empty()) {
-    auto fill = primitive(at, s.add_indices(pieces.triangles, count),
+    auto fill = primitive(at, s.buffer.add_indices(pieces.triangles, count),
                           s.material(s.fill, "elements", colored ? Rgb{1, 1, 1} : plain, 1), TINYGLTF_MODE_TRIANGLES);
     if (colored) fill.attributes["COLOR_0"] = colors;
     part("elements", fill, 0);
   }
   if (!pieces.marked.empty())
     part("invalid",
-         primitive(at, s.add_indices(pieces.marked, count), s.material(s.invalid, "invalid", invalid_color, 1),
+         primitive(at, s.buffer.add_indices(pieces.marked, count), s.material(s.invalid, "invalid", invalid_color, 1),
                    TINYGLTF_MODE_TRIANGLES),
          1);
   if (options.edges && !pieces.inner_lines.empty())
     part("edges",
-         primitive(at, s.add_indices(pieces.inner_lines, count), s.material(s.lines, "edges", ink, 0.55),
+         primitive(at, s.buffer.add_indices(pieces.inner_lines, count), s.material(s.lines, "edges", ink, 0.55),
                    TINYGLTF_MODE_LINE),
          2);
   if (!outline_triangles.empty())
     part("curves",
-         primitive(s.add_positions(outline, box), s.add_indices(outline_triangles, outline.size()),
-                   s.material(s.outline, "curves", ink, 1), TINYGLTF_MODE_TRIANGLES),
+         primitive(s.buffer.add_positions(outline, s.center, box),
+                   s.buffer.add_indices(outline_triangles, outline.size()), s.material(s.outline, "curves", ink, 1),
+                   TINYGLTF_MODE_TRIANGLES),
          3);
   frame.name = "frame " + std::to_string(s.frames.size());
   // A viewer that plays no animation shows the first frame.
@@ -383,7 +249,7 @@ std::string GltfWriter::finish(bool binary) {
   State& s = *state_;
   s.color_vertices();
   if (s.frames.size() > 1) s.animate();
-  s.gather();
+  s.buffer.move_to(s.model);
 
   tinygltf::Node root;
   root.name = "mesh";

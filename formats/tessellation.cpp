@@ -120,7 +120,7 @@ std::uint32_t Tessellator::vertex(TriangleId t, const std::vector<double>& rows,
 
 /// Triangles from the corner opposite the only edge that is cut: where nothing inside asks for more.
 std::vector<std::array<std::array<int, 2>, 3>> fan(int n, int edge) {
-  const auto node = [n](std::array<int, 3> weight) { return std::array<int, 2>{weight[1], weight[2]}; };
+  const auto node = [](const std::array<int, 3>& weight) { return std::array<int, 2>{weight[1], weight[2]}; };
   std::vector<std::array<std::array<int, 2>, 3>> result;
   for (int k = 0; k < n; ++k) {
     std::array<int, 3> apex{}, from{}, to{};
