@@ -211,3 +211,26 @@ TEST_CASE("any break of a closed curve can be removed, the first one too, with o
   // The curve is the same seen from every break.
   for (const double error : errors) CHECK(error == Approx(errors[5]).epsilon(1e-6));
 }
+
+TEST_CASE("operations go on at a cusp, whose corner is forgiven", "[ops]") {
+  const BoundaryComplex boundary = samples::crescent(0);
+  Mesh mesh;
+  const GenerateOutcome outcome = mesh_from_boundary(boundary, {3}, mesh);
+  REQUIRE(outcome.ok);
+  REQUIRE(mesh.boundary().cusps.size() == 1);
+  const Point cusp = mesh.boundary().vertices[static_cast<std::size_t>(mesh.boundary().cusps[0])];
+  const auto at_cusp = [&](HalfEdgeId h) { return mesh.is_constrained(h) && mesh.point(mesh.origin(h)) == cusp; };
+  int splits = 0, inserts = 0;
+  for (int round = 0; round < 3; ++round)
+    for (HalfEdgeId h = 0; h < 3 * mesh.triangle_slots(); ++h) {
+      if (!at_cusp(h)) continue;
+      splits += split_edge(mesh, h, 0.4).refusal == Refusal::done;
+      inserts += insert_point(mesh, triangle_of(h), {0.3, 0.4, 0.3}).refusal == Refusal::done;
+      smooth_edge(mesh, next(h), SmoothGoal::improve);
+      break;
+    }
+  CHECK(splits == 3);
+  CHECK(inserts == 3);
+  for (const Fault& fault : check_mesh(mesh)) FAIL_CHECK(fault.invariant << " " << fault.place << ": " << fault.text);
+  CHECK(find_invalid(mesh).empty());
+}

@@ -10,7 +10,6 @@
 #include <span>
 #include <string>
 
-#include "pliant/geometry/validity.h"
 #include "pliant/mesh/check_mesh.h"
 #include "pliant/ops/insert_point.h"
 #include "pliant/ops/smooth_edge.h"
@@ -72,11 +71,7 @@ class Smoother {
     mesh_.gather_points(t, net);
     return curvature_excess(mesh_.degree(), {net.data(), at(mesh_.net_size())}, options_.bounds);
   }
-  bool is_valid(TriangleId t) const {
-    std::array<Point, net_size(max_degree)> net;
-    mesh_.gather_points(t, net);
-    return certify(mesh_.degree(), {net.data(), at(mesh_.net_size())}) == Validity::valid;
-  }
+  bool is_valid(TriangleId t) const { return certify_element(mesh_, t) == Validity::valid; }
   bool has_constrained_edge(TriangleId t) const {
     for (int e = 0; e < 3; ++e)
       if (mesh_.is_constrained(half_edge(t, e))) return true;

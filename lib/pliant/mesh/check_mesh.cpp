@@ -1,9 +1,9 @@
 // M3 by certificate, and the live mesh's derived data against its nets.
 #include "pliant/mesh/check_mesh.h"
 
+#include <array>
 #include <string>
 
-#include "pliant/geometry/validity.h"
 #include "pliant/mesh/star.h"
 
 namespace pliant {
@@ -19,8 +19,7 @@ int cusp_corner(const BoundaryComplex& boundary, std::span<const Point> net) {
 
 void judge(InvalidElements& found, const BoundaryComplex& boundary, int degree, std::span<const Point> net,
            TriangleId t) {
-  const int cusp = boundary.cusps.empty() ? none : cusp_corner(boundary, net);
-  switch (cusp == none ? certify(degree, net) : certify_cusp(degree, net, cusp)) {
+  switch (certify_element(boundary, degree, net)) {
     case Validity::valid:
       break;
     case Validity::degenerate:
@@ -33,6 +32,17 @@ void judge(InvalidElements& found, const BoundaryComplex& boundary, int degree, 
 }
 
 }  // namespace
+
+Validity certify_element(const BoundaryComplex& boundary, int degree, std::span<const Point> net) {
+  const int cusp = boundary.cusps.empty() ? none : cusp_corner(boundary, net);
+  return cusp == none ? certify(degree, net) : certify_cusp(degree, net, cusp);
+}
+
+Validity certify_element(const Mesh& mesh, TriangleId t) {
+  std::array<Point, net_size(max_degree)> net;
+  mesh.gather_points(t, net);
+  return certify_element(mesh.boundary(), mesh.degree(), {net.data(), static_cast<std::size_t>(mesh.net_size())});
+}
 
 InvalidElements find_invalid(const Mesh& mesh) {
   InvalidElements found;

@@ -1,7 +1,9 @@
 #pragma once  // lib/pliant/mesh/check_mesh.h: every breach of M1, M2, M4, M5, M6, by name; M3 apart
+#include <span>
 #include <vector>
 
 #include "pliant/boundary/fault.h"
+#include "pliant/geometry/validity.h"
 #include "pliant/mesh/mesh.h"
 
 namespace pliant {
@@ -12,6 +14,10 @@ std::vector<Fault> check_arrays(const MeshData& data);
 /// The structural invariants M1, M2, M4, M5, M6 of a document whose arrays are well-formed. At most `limit` faults of
 /// one kind are listed.   Complexity O(data)
 std::vector<Fault> check_structure(const MeshData& data, int limit = 20);
+
+/// The certificate of one element of a mesh with this boundary: at a cusp's corner det J = 0 is forgiven (M3).
+Validity certify_element(const BoundaryComplex& boundary, int degree, std::span<const Point> net);
+Validity certify_element(const Mesh& mesh, TriangleId t);
 
 /// Elements that break M3, by certificate.
 struct InvalidElements {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "pliant/geometry/validity.h"
+#include "pliant/mesh/check_mesh.h"
 
 namespace pliant {
 
@@ -97,10 +97,7 @@ bool covers_smooth_corner(const Mesh& mesh, TriangleId t) {
 }
 
 bool is_valid(const Mesh& mesh, TriangleId t) {
-  if (covers_smooth_corner(mesh, t)) return false;
-  std::array<Point, net_size(max_degree)> net;
-  mesh.gather_points(t, net);
-  return certify(mesh.degree(), {net.data(), static_cast<std::size_t>(mesh.net_size())}) == Validity::valid;
+  return !covers_smooth_corner(mesh, t) && certify_element(mesh, t) == Validity::valid;
 }
 
 bool all_valid(const Mesh& mesh, std::span<const TriangleId> triangles) {
