@@ -94,6 +94,7 @@ std::vector<Fault> check_arrays(const MeshData& data) {
     if (faults.size() > 20) break;
   }
   for (std::size_t k = 0; k < data.fields.size(); ++k) check_field(faults, data, k);
+  check_range(faults, data.boundary.cusps, "/boundary/cusps", data.boundary.vertices.size(), "vertices");
   return faults;
 }
 

@@ -87,16 +87,19 @@ class Checker {
     return none;
   }
 
-  /// Every point is a corner, or inside one edge, or inside one triangle.
+  /// Every point is a corner, or one place inside one edge, or inside one triangle.
   void check_point_uses() {
-    std::vector<std::int64_t> use(data_.points.size(), -1);  // corner: 0; edge: 1 + half-edge; interior: -2 - triangle
+    // corner: 0; edge: 1 + the place among all half-edges' points; interior: -2 - triangle
+    std::vector<std::int64_t> use(data_.points.size(), -1);
+    const std::int64_t inside = data_.degree - 1;
     for (TriangleId t = 0; t < triangles_; ++t)
       for (int k = 0; k < layout_.size(); ++k) {
         const PointId p = entry(t, k);
         std::int64_t now = 0;
         if (k >= 3 && k < layout_.first_interior()) {
-          const HalfEdgeId h = half_edge(t, (k - 3) / (data_.degree - 1)), g = twins_[at(h)];
-          now = 1 + static_cast<std::int64_t>(g != none && g < h ? g : h);
+          const HalfEdgeId h = half_edge(t, static_cast<int>((k - 3) / inside)), g = twins_[at(h)];
+          const std::int64_t along = (k - 3) % inside;  // of the two half-edges, the lower one's count
+          now = 1 + (g != none && g < h ? g * inside + inside - 1 - along : h * inside + along);
         } else if (k >= 3) {
           now = -2 - static_cast<std::int64_t>(t);
         }
