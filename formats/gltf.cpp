@@ -6,6 +6,10 @@
 #include <sstream>
 #include <utility>
 
+#define TINYGLTF_NO_STB_IMAGE
+#define TINYGLTF_NO_STB_IMAGE_WRITE
+#include <tiny_gltf.h>
+
 #include "formats/gltf_buffer.h"
 #include "formats/mesh_edges.h"
 #include "formats/tessellation.h"

@@ -6,6 +6,10 @@
 #include <limits>
 #include <utility>
 
+#define TINYGLTF_NO_STB_IMAGE
+#define TINYGLTF_NO_STB_IMAGE_WRITE
+#include <tiny_gltf.h>
+
 namespace pliant {
 namespace {
 
@@ -22,13 +26,7 @@ void append(Bytes& bytes, const T& value) {
 
 GltfBuffer::GltfBuffer(bool quantize) : quantize_(quantize) {}
 
-int GltfBuffer::add_accessor(View view, std::size_t offset, std::size_t count, int component, int type) {
-  tinygltf::Accessor accessor;
-  accessor.bufferView = static_cast<int>(view);
-  accessor.byteOffset = offset;
-  accessor.count = count;
-  accessor.componentType = component;
-  accessor.type = type;
+int GltfBuffer::add_accessor(Accessor accessor) {
   accessors_.push_back(std::move(accessor));
   return static_cast<int>(accessors_.size()) - 1;
 }
@@ -57,11 +55,14 @@ int GltfBuffer::add_positions(const std::vector<Point>& points, const Point& cen
       append(out, 0.0F);
     }
   const int component = quantize_ ? TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT : TINYGLTF_COMPONENT_TYPE_FLOAT;
-  const int accessor = add_accessor(positions_view, offset, points.size(), component, TINYGLTF_TYPE_VEC3);
-  accessors_.back().normalized = quantize_;
-  accessors_.back().minValues.assign(low.begin(), low.end());
-  accessors_.back().maxValues.assign(high.begin(), high.end());
-  return accessor;
+  return add_accessor({positions_view,
+                       offset,
+                       points.size(),
+                       component,
+                       TINYGLTF_TYPE_VEC3,
+                       quantize_,
+                       {low.begin(), low.end()},
+                       {high.begin(), high.end()}});
 }
 
 int GltfBuffer::add_indices(const std::vector<std::uint32_t>& indices, std::size_t vertices) {
@@ -75,17 +76,14 @@ int GltfBuffer::add_indices(const std::vector<std::uint32_t>& indices, std::size
     else
       append(out, i);
   out.resize((out.size() + 3) / 4 * 4);
-  return add_accessor(indices_view, offset, indices.size(),
-                      is_short ? TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT : TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT,
-                      TINYGLTF_TYPE_SCALAR);
+  const int component = is_short ? TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT : TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT;
+  return add_accessor({indices_view, offset, indices.size(), component, TINYGLTF_TYPE_SCALAR});
 }
 
 int GltfBuffer::reserve_colors(std::size_t count) {
-  const int accessor =
-      add_accessor(colors_view, 4 * colors_, count, TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE, TINYGLTF_TYPE_VEC4);
-  accessors_.back().normalized = true;
+  const std::size_t offset = 4 * colors_;
   colors_ += count;
-  return accessor;
+  return add_accessor({colors_view, offset, count, TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE, TINYGLTF_TYPE_VEC4, true});
 }
 
 void GltfBuffer::append_color(const Rgb& linear) {
@@ -98,11 +96,14 @@ int GltfBuffer::add_keys(const std::vector<float>& keys) {
   Bytes& out = bytes_[animation_view];
   const std::size_t offset = out.size();
   for (const float key : keys) append(out, key);
-  const int accessor =
-      add_accessor(animation_view, offset, keys.size(), TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_SCALAR);
-  accessors_.back().minValues = {double(keys.front())};
-  accessors_.back().maxValues = {double(keys.back())};
-  return accessor;
+  return add_accessor({animation_view,
+                       offset,
+                       keys.size(),
+                       TINYGLTF_COMPONENT_TYPE_FLOAT,
+                       TINYGLTF_TYPE_SCALAR,
+                       false,
+                       {double(keys.front())},
+                       {double(keys.back())}});
 }
 
 int GltfBuffer::add_scales(const std::vector<float>& scales) {
@@ -110,7 +111,7 @@ int GltfBuffer::add_scales(const std::vector<float>& scales) {
   const std::size_t offset = out.size();
   for (const float scale : scales)
     for (int axis = 0; axis < 3; ++axis) append(out, scale);
-  return add_accessor(animation_view, offset, scales.size(), TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC3);
+  return add_accessor({animation_view, offset, scales.size(), TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC3});
 }
 
 void GltfBuffer::move_to(tinygltf::Model& model) {
@@ -140,9 +141,18 @@ void GltfBuffer::move_to(tinygltf::Model& model) {
     model.bufferViews.push_back(std::move(view));
     Bytes().swap(bytes_[v]);
   }
-  for (tinygltf::Accessor& accessor : accessors_)
-    accessor.bufferView = number[static_cast<std::size_t>(accessor.bufferView)];
-  model.accessors = std::move(accessors_);
+  for (const Accessor& each : accessors_) {
+    tinygltf::Accessor accessor;
+    accessor.bufferView = number[each.view];
+    accessor.byteOffset = each.offset;
+    accessor.count = each.count;
+    accessor.componentType = each.component;
+    accessor.type = each.type;
+    accessor.normalized = each.normalized;
+    accessor.minValues = each.low;
+    accessor.maxValues = each.high;
+    model.accessors.push_back(std::move(accessor));
+  }
   model.buffers.push_back(std::move(buffer));
 }
 

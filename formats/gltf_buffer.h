@@ -4,11 +4,11 @@
 #include <string>
 #include <vector>
 
-#define TINYGLTF_NO_STB_IMAGE
-#define TINYGLTF_NO_STB_IMAGE_WRITE
-#include <tiny_gltf.h>
-
 #include "formats/coloring.h"
+
+namespace tinygltf {
+class Model;
+}
 
 namespace pliant {
 
@@ -33,11 +33,18 @@ class GltfBuffer {
 
  private:
   enum View : std::size_t { positions_view, indices_view, colors_view, animation_view, view_count };
-  int add_accessor(View view, std::size_t offset, std::size_t count, int component, int type);
+  struct Accessor {
+    View view;
+    std::size_t offset, count;
+    int component, type;
+    bool normalized = false;
+    std::vector<double> low{}, high{};
+  };
+  int add_accessor(Accessor accessor);
 
   bool quantize_;
   std::array<std::vector<unsigned char>, view_count> bytes_;
-  std::vector<tinygltf::Accessor> accessors_;
+  std::vector<Accessor> accessors_;
   std::size_t colors_ = 0;
 };
 
