@@ -4,8 +4,8 @@
 
 namespace pliant {
 
-inline constexpr int max_degree = 10;       ///< of a mesh
-inline constexpr int max_net_degree = 40;   ///< of a polynomial on the triangle (det J, products)
+inline constexpr int max_degree = 10;      ///< of a mesh
+inline constexpr int max_net_degree = 40;  ///< of a polynomial on the triangle (det J, products)
 
 constexpr int net_size(int degree) { return (degree + 1) * (degree + 2) / 2; }
 /// Control points of one triangle of a mesh that are neither on an edge nor a corner.

@@ -25,9 +25,9 @@ struct Placement {
 };
 
 /// A place that makes all elements valid: maximises the least Bernstein coefficient of det J, each element's divided by
-/// its scale, over the elements; every coefficient is affine in the point, so this is a linear program in (x, y, least),
-/// with at most three active constraints. Coefficients of subdivided pieces are added as cuts until the point is
-/// certified or proved hopeless. Design: optimal placement of one control point; Amenta, Bern, Eppstein (1999).
+/// its scale, over the elements; every coefficient is affine in the point, so this is a linear program in (x, y,
+/// least), with at most three active constraints. Coefficients of subdivided pieces are added as cuts until the point
+/// is certified or proved hopeless. Design: optimal placement of one control point; Amenta, Bern, Eppstein (1999).
 Placement untangle_point(int degree, std::span<const PlacementElement> elements, const Point& start,
                          PlacementMeasure measure = PlacementMeasure::element);
 
