@@ -125,36 +125,35 @@ class Coarsener {
     return distance(mesh_.point(mesh_.origin(h)), mesh_.point(mesh_.target(h)));
   }
 
-  /// A maximal set of vertices with disjoint spheres: what geometry needs first, then curves, then the rest.
+  /// A maximal set of vertices with disjoint spheres: what geometry needs first, then curves, then the rest. A chosen
+  /// vertex shuts out those in its sphere, so that the work is the sum of the chosen spheres' vertices.
   void choose() {
     chosen_.assign(roles_.size(), 0);
+    std::vector<char> shut_out(roles_.size(), 0);
     std::vector<std::int32_t> visited(roles_.size(), none);
     std::vector<PointId> front;
     for (const Role role : {Role::kept, Role::curve, Role::inner})
       for (const PointId v : vertices_) {
-        if (roles_[at(v)] != role) continue;
-        bool free = true;
-        if (role != Role::kept) {
-          front.assign(1, v);
-          visited[at(v)] = v;
-          for (std::size_t k = 0; k < front.size() && free; ++k) {
-            find_star(mesh_, front[k], star_);
-            const auto look_at = [&](PointId w) {
-              if (visited[at(w)] == v) return;
-              visited[at(w)] = v;
-              const double far = distance(mesh_.point(v), mesh_.point(w));
-              if (far >= options_.factor * spacing_factor * spacing_[at(v)]) return;
-              if (chosen_[at(w)] && far < options_.factor * spacing_factor * std::min(spacing_[at(v)], spacing_[at(w)]))
-                free = false;
-              front.push_back(w);
-            };
-            for (const HalfEdgeId h : star_.outgoing) {
-              look_at(mesh_.target(h));
-              look_at(mesh_.apex(h));
-            }
+        if (roles_[at(v)] != role || (shut_out[at(v)] && role != Role::kept)) continue;
+        chosen_[at(v)] = 1;
+        front.assign(1, v);
+        visited[at(v)] = v;
+        const double scale = options_.factor * spacing_factor;
+        for (std::size_t k = 0; k < front.size(); ++k) {
+          find_star(mesh_, front[k], star_);
+          const auto look_at = [&](PointId w) {
+            if (visited[at(w)] == v) return;
+            visited[at(w)] = v;
+            const double far = distance(mesh_.point(v), mesh_.point(w));
+            if (far >= scale * spacing_[at(v)]) return;
+            if (far < scale * spacing_[at(w)]) shut_out[at(w)] = 1;
+            front.push_back(w);
+          };
+          for (const HalfEdgeId h : star_.outgoing) {
+            look_at(mesh_.target(h));
+            look_at(mesh_.apex(h));
           }
         }
-        if (free) chosen_[at(v)] = 1;
       }
   }
 
