@@ -73,20 +73,24 @@ void to_lattice(int degree, int width, std::span<const double> net, double* rows
   }
 }
 
-/// p = 2, where most meshes live: nine combinations and no rows to reorder.
+constexpr int linear_nets[3][3] = {{0, 3, 5}, {3, 1, 4}, {5, 4, 2}};  // p = 2: the rows weighted by xi1, xi2, xi3
+
+/// p = 2: the first step of de Casteljau, three rows; no rows to reorder.
+void step_quadratic(int width, const double* net, const Barycentric& w, double* linear) {
+  const int corner = corner_of(w);
+  for (int n = 0; n < 3; ++n) {
+    const auto& from = linear_nets[n];
+    combine(w, corner, width, net + from[0] * width, net + from[1] * width, net + from[2] * width, linear + n * width);
+  }
+}
+
+/// p = 2, where most meshes live: nine combinations.
 void sub_quadratic(int width, const double* net, const std::array<const Barycentric*, 3>& corners, double* out) {
-  const auto row = [net, width](int n) { return net + n * width; };
-  constexpr int linear_nets[3][3] = {{0, 3, 5}, {3, 1, 4}, {5, 4, 2}};  // the rows weighted by xi1, xi2, xi3
   constexpr int targets[3][3] = {{0, 3, 5}, {-1, 1, 4}, {-1, -1, 2}};
   WorkRows work(3, width);
   double* linear = work.data();
   for (int m = 0; m < 3; ++m) {
-    const Barycentric& w = *corners[static_cast<std::size_t>(m)];
-    const int corner = corner_of(w);
-    for (int n = 0; n < 3; ++n) {
-      const auto& from = linear_nets[n];
-      combine(w, corner, width, row(from[0]), row(from[1]), row(from[2]), linear + n * width);
-    }
+    step_quadratic(width, net, *corners[static_cast<std::size_t>(m)], linear);
     for (int n = m; n < 3; ++n) {
       const Barycentric& v = *corners[static_cast<std::size_t>(n)];
       combine(v, corner_of(v), width, linear, linear + width, linear + 2 * width, out + targets[m][n] * width);
@@ -100,6 +104,10 @@ void evaluate_net(int degree, int width, std::span<const double> net, const Bary
   assert(has_size(net.size(), net_size(degree), width) && has_size(value.size(), 1, width));
   WorkRows work(net_size(degree), width);
   double* rows = work.data();
+  if (degree == 2) {
+    step_quadratic(width, net.data(), xi, rows);
+    return combine(xi, corner_of(xi), width, rows, rows + width, rows + 2 * width, value.data());
+  }
   to_lattice(degree, width, net, rows);
   for (int d = degree; d > 0; --d) step(d, width, xi, rows);
   std::copy_n(rows, width, value.data());
@@ -117,8 +125,12 @@ void evaluate_net(int degree, int width, std::span<const double> net, const Bary
   }
   WorkRows work(net_size(degree), width);
   double* rows = work.data();
-  to_lattice(degree, width, net, rows);
-  for (int d = degree; d > 1; --d) step(d, width, xi, rows);
+  if (degree == 2) {
+    step_quadratic(width, net.data(), xi, rows);
+  } else {
+    to_lattice(degree, width, net, rows);
+    for (int d = degree; d > 1; --d) step(d, width, xi, rows);
+  }
   for (std::size_t x = 0; x < static_cast<std::size_t>(width); ++x) {
     along_2[x] = degree * (rows[width + static_cast<int>(x)] - rows[x]);
     along_3[x] = degree * (rows[2 * width + static_cast<int>(x)] - rows[x]);
