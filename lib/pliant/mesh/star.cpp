@@ -38,6 +38,20 @@ HalfEdgeId find_half_edge(const Mesh& mesh, PointId a, PointId b) {
   return none;
 }
 
+bool are_joined(const Mesh& mesh, PointId a, PointId b) {
+  const HalfEdgeId start = mesh.vertex_half_edge(a);
+  if (start < 0) return false;
+  for (HalfEdgeId h = start;;) {  // counter-clockwise; the last edge of an open star leads only to a
+    if (mesh.target(h) == b || mesh.apex(h) == b) return true;
+    h = mesh.twin(previous(h));
+    if (h == start) return false;
+    if (h == none) break;
+  }
+  for (HalfEdgeId h = mesh.twin(start); h != none; h = mesh.twin(next(h)))  // clockwise
+    if (mesh.target(next(h)) == b) return true;
+  return false;
+}
+
 bool is_on_curve(const Mesh& mesh, const Star& star) {
   if (!star.is_closed) return true;
   for (const HalfEdgeId h : star.outgoing)

@@ -19,6 +19,9 @@ void find_star(const Mesh& mesh, PointId v, Star& star);
 /// The half-edge from a to b, or none.
 HalfEdgeId find_half_edge(const Mesh& mesh, PointId a, PointId b);
 
+/// True if an edge joins a and b, whichever way round its triangles have it.
+bool are_joined(const Mesh& mesh, PointId a, PointId b);
+
 /// True if some edge at v lies on a curve.
 bool is_on_curve(const Mesh& mesh, const Star& star);
 

@@ -30,7 +30,7 @@ Refusal flip_edge(Mesh& mesh, HalfEdgeId h, const RefitOptions& options) {
   if (orient2d(pa, pd, pc) <= 0 || orient2d(pd, pb, pc) <= 0 ||
       (orient2d(pa, pb, pc) <= 0 && orient2d(pb, pa, pd) <= 0))
     return Refusal::not_convex;
-  if (c == d || find_half_edge(mesh, c, d) != none || find_half_edge(mesh, d, c) != none) return Refusal::edge_exists;
+  if (c == d || are_joined(mesh, c, d)) return Refusal::edge_exists;
 
   const Side bc = side_of(mesh, next(h)), ca = side_of(mesh, previous(h));
   const Side ad = side_of(mesh, next(g)), db = side_of(mesh, previous(g));

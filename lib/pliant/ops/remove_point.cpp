@@ -66,7 +66,7 @@ bool recover_of_three(const Mesh& mesh, const Star& star, std::vector<double>& p
 bool undo_split(Mesh& mesh, PointId v, const Star& star, int first) {
   const auto link = [&](int i) { return mesh.target(star.outgoing[at((first + i) % 4)]); };
   const Fan right{link(0), link(1), link(2)}, left{link(2), link(3), link(0)};
-  if (find_half_edge(mesh, link(0), link(2)) != none || find_half_edge(mesh, link(2), link(0)) != none) return false;
+  if (are_joined(mesh, link(0), link(2))) return false;
   const int p = mesh.degree(), width = mesh.width();
   std::vector<double> parent_right, parent_left, shared(at((p + 1) * width));
   if (!recover_merged(mesh, v, right, parent_right)) return false;
