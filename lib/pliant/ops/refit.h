@@ -51,6 +51,16 @@ class Patch {
     const std::size_t i = e.first_row + static_cast<std::size_t>(k * width_);
     return {rows_[i], rows_[i + 1]};
   }
+  /// The displacements of the free points: those of the old elements, projected.
+  void fit_displacement(const Mesh& mesh, std::span<const TriangleId> now, std::span<const PointId> free,
+                        std::span<const double> displacement, std::span<Vector> solution) const;
+  /// What the linear fits of all columns share: about the mean of the control points of the elements of a face.
+  struct Moments {
+    Point mean;
+    double count = 0, xx = 0, xy = 0, yy = 0;
+  };
+  Moments moments_of(FaceId face) const;
+  Linear linear_of(int column, FaceId face, const Moments& moments) const;
   void fit_group(Mesh& mesh, std::span<const TriangleId> now, std::span<const PointId> free, const Group& group,
                  const RefitOptions& options, bool region_kept) const;
 

@@ -4,13 +4,11 @@
 #include <array>
 #include <cmath>
 
-#include "pliant/geometry/bernstein.h"
 #include "pliant/geometry/control_net.h"
 #include "pliant/geometry/invert_map.h"
 #include "pliant/geometry/jacobian.h"
-#include "pliant/geometry/linear_triangle.h"
-#include "pliant/geometry/quadrature.h"
 #include "pliant/mesh/star.h"
+#include "pliant/ops/node_basis.h"
 #include "pliant/ops/refit.h"
 
 namespace pliant {
@@ -91,29 +89,48 @@ struct Patch::Group {
   FaceId face;
 };
 
-Patch::Linear Patch::linear_of(int column, FaceId face) const {
-  Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
-  Eigen::Vector3d right = Eigen::Vector3d::Zero();
-  double scale = 0;
-  for (const Element& e : elements_)
-    for (int k = 0; k < n_; ++k) scale = std::max(scale, length(old_point(e, k) - origin_));
-  if (!(scale > 0)) scale = 1;
-  double base = 0;
+Patch::Moments Patch::moments_of(FaceId face) const {
+  Moments m;
+  const auto each = [&](auto&& visit) {
+    for (const Element& e : elements_)
+      if (face == none || e.face == face)
+        for (int k = 0; k < n_; ++k) visit(old_point(e, k) - origin_);
+  };
+  each([&m](const Vector& d) {
+    m.mean += d;
+    ++m.count;
+  });
+  if (m.count > 0) m.mean = m.mean / m.count;
+  each([&m](const Vector& d) {
+    const Vector r = d - m.mean;
+    m.xx += r.x * r.x;
+    m.xy += r.x * r.y;
+    m.yy += r.y * r.y;
+  });
+  return m;
+}
+
+Patch::Linear Patch::linear_of(int column, FaceId face) const { return linear_of(column, face, moments_of(face)); }
+
+Patch::Linear Patch::linear_of(int column, FaceId face, const Moments& m) const {
+  // About the mean the constant parts from the slopes; less a value there is, constants come back without rounding.
+  double base = 0, sum = 0;
+  Vector right{};
   bool first = true;
   for (const Element& e : elements_) {
     if (face != none && e.face != face) continue;
     for (int k = 0; k < n_; ++k) {
-      const Vector d = (old_point(e, k) - origin_) / scale;
-      const double u = rows(e)[at(k * width_ + column)];
-      if (first) base = u, first = false;  // a constant is reproduced without rounding
-      const Eigen::Vector3d row{1, d.x, d.y};
-      normal += row * row.transpose();
-      right += (u - base) * row;
+      double u = rows_[e.first_row + at(k * width_ + column)];
+      if (first) base = u, first = false;
+      u -= base;
+      sum += u;
+      right += u * (old_point(e, k) - origin_ - m.mean);
     }
   }
-  const Eigen::Vector3d c = normal.ldlt().solve(right);
-  if (!c.allFinite()) return {base, 0, 0};
-  return {base + c[0], c[1] / scale, c[2] / scale};
+  const double det = m.xx * m.yy - m.xy * m.xy;
+  const Vector slope{(right.x * m.yy - right.y * m.xy) / det, (right.y * m.xx - right.x * m.xy) / det};
+  if (!is_finite(slope)) return {base, 0, 0};
+  return {base + sum / m.count - dot(slope, m.mean), slope.x, slope.y};
 }
 
 void Patch::fit_fields(Mesh& mesh, std::span<const TriangleId> now, std::span<const PointId> free,
@@ -176,7 +193,9 @@ void Patch::fit_group(Mesh& mesh, std::span<const TriangleId> now, std::span<con
   // The old function less its best linear part, so that linear functions are reproduced to rounding.
   thread_local std::vector<Linear> linear;
   linear.clear();
-  for (const int column : group.columns) linear.push_back(linear_of(column, group.by_face ? group.face : none));
+  const FaceId of_face = group.by_face ? group.face : none;
+  const Moments moments = moments_of(of_face);
+  for (const int column : group.columns) linear.push_back(linear_of(column, of_face, moments));
   thread_local std::vector<double> old_rest;  // per element: n_ x columns
   old_rest.assign(elements_.size() * at(n_ * columns), 0.0);
   thread_local std::vector<Range> values, rests;  // of the old control values and residuals
@@ -185,7 +204,8 @@ void Patch::fit_group(Mesh& mesh, std::span<const TriangleId> now, std::span<con
   Net net;
   Weights weights;
   const std::span<const Point> net_points{net.data(), at(n_)};
-  Eigen::VectorXd target = Eigen::VectorXd::Zero(columns);  // integral of the residual
+  thread_local std::vector<double> target;  // integral of the residual
+  target.assign(at(columns), 0.0);
   for (std::size_t e = 0; e < elements_.size(); ++e) {
     const Element& old = elements_[e];
     if (!in_group(old.face)) continue;
@@ -198,7 +218,7 @@ void Patch::fit_group(Mesh& mesh, std::span<const TriangleId> now, std::span<con
         old_rest[e * at(n_ * columns) + at(k * columns + c)] = r;
         values[at(c)] = {std::min(values[at(c)].low, u), std::max(values[at(c)].high, u)};
         rests[at(c)] = {std::min(rests[at(c)].low, r), std::max(rests[at(c)].high, r)};
-        if (conserve) target[c] += weights[at(k)] * r;
+        if (conserve) target[at(c)] += weights[at(k)] * r;
       }
   }
 
@@ -208,14 +228,19 @@ void Patch::fit_group(Mesh& mesh, std::span<const TriangleId> now, std::span<con
     return first < 0 ? 0.0 : field.values[static_cast<std::size_t>(first + group.components[at(c)])];
   };
   const bool sample = n > 0 && !(conserve && n == 1);  // one value and one integral: nothing is left to fit
-  Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(n, n);
-  Eigen::MatrixXd right = Eigen::MatrixXd::Zero(n, columns);
-  Eigen::VectorXd weight = Eigen::VectorXd::Zero(n);
+  thread_local Eigen::MatrixXd normal, right, system;
+  thread_local Eigen::VectorXd weight, rest, b, x;
+  thread_local Eigen::FullPivLU<Eigen::MatrixXd> factors;
+  thread_local std::vector<char> held;
+  thread_local std::vector<int> open;
+  normal.setZero(n, n);
+  right.setZero(n, columns);
+  weight.setZero(n);
   std::array<int, net_size(max_degree)> unknown;
   thread_local std::vector<double> known, value;
   known.resize(at(n_ * columns));
   value.resize(at(columns));
-  std::array<double, net_size(max_degree)> basis;
+  const NodeBasis& table = node_basis(degree_);
   for (const TriangleId t : now) {
     if (!in_group(mesh.face(t))) continue;
     const auto ids = mesh.net(t);
@@ -230,15 +255,17 @@ void Patch::fit_group(Mesh& mesh, std::span<const TriangleId> now, std::span<con
       for (int c = 0; c < columns; ++c) {
         const double r = current(ids[at(k)], mesh.face(t), c) - evaluate(linear[at(c)], net[at(k)]);
         known[at(k * columns + c)] = r;
-        if (conserve) target[c] -= weights[at(k)] * r;
+        if (conserve) target[at(c)] -= weights[at(k)] * r;
       }
     }
     if (!sample) continue;
-    for (const TriangleNode& node : triangle_rule(2 * degree_)) {
+    for (std::size_t q = 0; q < table.nodes.size(); ++q) {
+      const TriangleNode& node = table.nodes[q];
+      const std::span<const double> basis = table.at(q);
       std::array<double, 2> place, along_2, along_3;
       evaluate_net(degree_, 2, {&net[0].x, at(2 * n_)}, node.xi, place, along_2, along_3);
       const double measure = node.weight * (along_2[0] * along_3[1] - along_2[1] * along_3[0]);
-      const Point x{place[0], place[1]};
+      const Point here{place[0], place[1]};
       std::size_t best = elements_.size();
       double depth = -HUGE_VAL;
       Barycentric best_xi{};
@@ -247,7 +274,7 @@ void Patch::fit_group(Mesh& mesh, std::span<const TriangleId> now, std::span<con
         const Element& old = elements_[e];
         if (!in_group(old.face)) continue;
         for (int k = 0; k < n_; ++k) old_net[at(k)] = old_point(old, k);
-        const auto xi = invert_map(degree_, {old_net.data(), at(n_)}, x, 1e-13 * size_);
+        const auto xi = invert_map(degree_, {old_net.data(), at(n_)}, here, 1e-13 * size_);
         if (!xi) continue;
         const double least = std::min({(*xi)[0], (*xi)[1], (*xi)[2]});
         if (least > depth) depth = least, best = e, best_xi = *xi;
@@ -256,7 +283,6 @@ void Patch::fit_group(Mesh& mesh, std::span<const TriangleId> now, std::span<con
       evaluate_net(degree_, columns,
                    std::span<const double>(old_rest).subspan(best * at(n_ * columns), at(n_ * columns)), best_xi,
                    value);
-      bernstein_basis(degree_, node.xi, basis);
       for (int k = 0; k < n_; ++k)
         if (unknown[at(k)] < 0)
           for (int c = 0; c < columns; ++c) value[at(c)] -= basis[at(k)] * known[at(k * columns + c)];
@@ -271,11 +297,11 @@ void Patch::fit_group(Mesh& mesh, std::span<const TriangleId> now, std::span<con
 
   for (int c = 0; c < columns; ++c) {
     // Least squares with one equality; what leaves its range is held at the bound, and the rest solved again.
-    Eigen::VectorXd rest = Eigen::VectorXd::Zero(n);
-    std::vector<char> held(at(n), 0);
-    double missing = conserve ? target[c] : 0;
+    rest.setZero(n);
+    held.assign(at(n), 0);
+    double missing = conserve ? target[at(c)] : 0;
     for (int round = 0; round <= n && n > 0; ++round) {
-      std::vector<int> open;
+      open.clear();
       for (int i = 0; i < n; ++i)
         if (!held[at(i)]) open.push_back(i);
       if (open.empty()) break;
@@ -286,8 +312,8 @@ void Patch::fit_group(Mesh& mesh, std::span<const TriangleId> now, std::span<con
       if (conserve && m == 1) {
         rest[open[0]] = integral / weight[open[0]];
       } else {
-        Eigen::MatrixXd system = Eigen::MatrixXd::Zero(rows_of_system, rows_of_system);
-        Eigen::VectorXd b = Eigen::VectorXd::Zero(rows_of_system);
+        system.setZero(rows_of_system, rows_of_system);
+        b.setZero(rows_of_system);
         const double unit = normal.trace() / n;  // the equality's row in the scale of the others
         const double weight_unit = conserve ? weight.cwiseAbs().maxCoeff() : 1;
         for (int i = 0; i < m; ++i) {
@@ -298,7 +324,10 @@ void Patch::fit_group(Mesh& mesh, std::span<const TriangleId> now, std::span<con
           if (conserve) system(i, m) = system(m, i) = weight[open[at(i)]] * unit / weight_unit;
         }
         if (conserve) b[m] = integral * unit / weight_unit;
-        const Eigen::VectorXd x = system.fullPivLu().solve(b);
+        if (rows_of_system == 1)
+          x = b / system(0, 0);
+        else
+          x = factors.compute(system).solve(b);
         for (int i = 0; i < m; ++i) rest[open[at(i)]] = x[i];
       }
       bool clipped = false;

@@ -4,17 +4,18 @@
 #include <array>
 #include <cmath>
 
-#include "pliant/geometry/control_net.h"
+#include "pliant/geometry/bernstein.h"
 #include "pliant/geometry/linear_triangle.h"
 #include "pliant/geometry/optimal_placement.h"
-#include "pliant/geometry/quadrature.h"
 #include "pliant/ops/build_triangle.h"
+#include "pliant/ops/node_basis.h"
 #include "pliant/ops/refit.h"
 
 namespace pliant {
 namespace {
 
-constexpr int max_sweeps = 12;  // of optimal placement over several free points
+constexpr int max_sweeps = 12;        // of optimal placement over several free points
+constexpr double rounding = 0x1p-51;  // of a coordinate: shorter displacements are none
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
@@ -73,64 +74,44 @@ void Patch::capture(const Mesh& mesh, std::span<const TriangleId> old) {
   origin_ = old_point(elements_[0], 0);
 }
 
-bool Patch::fit_geometry(Mesh& mesh, std::span<const TriangleId> now, std::span<const PointId> free) const {
-  if (free.empty()) return all_valid(mesh, now);
+void Patch::fit_displacement(const Mesh& mesh, std::span<const TriangleId> now, std::span<const PointId> free,
+                             std::span<const double> displacement, std::span<Vector> solution) const {
   const NetLayout& layout = NetLayout::of(degree_);
-  const int unknowns = static_cast<int>(free.size());
-
-  // The old displacements, as nets over the straight triangles.
-  thread_local std::vector<double> displacement;
-  displacement.resize(elements_.size() * at(2 * n_));
-  double longest = 0;
-  for (std::size_t e = 0; e < elements_.size(); ++e)
-    for (int k = 0; k < n_; ++k) {
-      const Element& old = elements_[e];
-      const Vector d = old_point(old, k) - straight(layout, k, old_point(old, 0), old_point(old, 1), old_point(old, 2));
-      displacement[e * at(2 * n_) + at(2 * k)] = d.x;
-      displacement[e * at(2 * n_) + at(2 * k + 1)] = d.y;
-      longest = std::max(longest, length(d));
-    }
-
-  Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(unknowns, unknowns);
-  Eigen::MatrixXd right = Eigen::MatrixXd::Zero(unknowns, 2);
+  const NodeBasis& table = node_basis(degree_);
+  const auto unknowns = static_cast<Eigen::Index>(free.size());
+  thread_local Eigen::MatrixXd normal, right;
+  normal.setZero(unknowns, unknowns);
+  right.setZero(unknowns, 2);
   std::array<Vector, net_size(max_degree)> known;
   std::array<int, net_size(max_degree)> unknown;
-  std::array<double, net_size(max_degree)> basis;
-  std::array<double, 2> value;
-  const auto sub = [](std::vector<double>& v, std::size_t first, std::size_t count) {
-    return std::span<const double>(v).subspan(first, count);
-  };
+  std::array<double, net_size(max_degree)> old_basis;
   for (const TriangleId t : now) {
     const auto net = mesh.net(t);
     const Point a = mesh.point(net[0]), b = mesh.point(net[1]), c = mesh.point(net[2]);
     for (int k = 0; k < n_; ++k) {
       unknown[at(k)] = index_in(free, net[at(k)]);
-      if (unknown[at(k)] < 0) known[at(k)] = mesh.point(net[at(k)]) - straight(layout, k, a, b, c);
+      known[at(k)] = unknown[at(k)] < 0 ? mesh.point(net[at(k)]) - straight(layout, k, a, b, c) : Vector{};
     }
     const double area = triangle_area(a, b, c);
-    for (const TriangleNode& node : triangle_rule(2 * degree_)) {
-      const Point x = node.xi[0] * a + node.xi[1] * b + node.xi[2] * c;
+    for (std::size_t node = 0; node < table.nodes.size(); ++node) {
+      const Barycentric& at_node = table.nodes[node].xi;
+      const Point x = at_node[0] * a + at_node[1] * b + at_node[2] * c;
       std::size_t best = 0;
       double depth = -HUGE_VAL;
       Barycentric best_xi{};
-      for (std::size_t e = 0; e < elements_.size(); ++e) {
+      for (std::size_t e = 0; e < elements_.size() && depth < 0; ++e) {
         const Element& old = elements_[e];
         const Barycentric xi = barycentric(old_point(old, 0), old_point(old, 1), old_point(old, 2), x);
         const double least = std::min({xi[0], xi[1], xi[2]});
         if (least > depth) depth = least, best = e, best_xi = xi;
       }
-      evaluate_net(degree_, 2, sub(displacement, best * at(2 * n_), at(2 * n_)), best_xi, value);
-      Vector rest{value[0], value[1]};
-      for (int k = 0; k < n_; ++k) {
-        const auto& [i, j, l] = layout.exponents(k);
-        double factor = layout.multinomial(k);
-        for (int m = 0; m < i; ++m) factor *= node.xi[0];
-        for (int m = 0; m < j; ++m) factor *= node.xi[1];
-        for (int m = 0; m < l; ++m) factor *= node.xi[2];
-        basis[at(k)] = factor;
-        if (unknown[at(k)] < 0) rest -= factor * known[at(k)];
-      }
-      const double weight = node.weight * area;
+      bernstein_basis(degree_, best_xi, old_basis);
+      const double* const old = displacement.data() + best * at(2 * n_);
+      const std::span<const double> basis = table.at(node);
+      Vector rest{};
+      for (int k = 0; k < n_; ++k)
+        rest += old_basis[at(k)] * Vector{old[2 * k], old[2 * k + 1]} - basis[at(k)] * known[at(k)];
+      const double weight = table.nodes[node].weight * area;
       for (int k = 0; k < n_; ++k) {
         if (unknown[at(k)] < 0) continue;
         right(unknown[at(k)], 0) += weight * basis[at(k)] * rest.x;
@@ -140,15 +121,48 @@ bool Patch::fit_geometry(Mesh& mesh, std::span<const TriangleId> now, std::span<
       }
     }
   }
-  const Eigen::MatrixXd solution = normal.ldlt().solve(right);
+  if (unknowns == 1) {
+    solution[0] = Vector{right(0, 0), right(0, 1)} / normal(0, 0);
+    return;
+  }
+  thread_local Eigen::LDLT<Eigen::MatrixXd> factors;
+  factors.compute(normal);
+  right = factors.solve(right).eval();
+  for (Eigen::Index u = 0; u < unknowns; ++u) solution[static_cast<std::size_t>(u)] = {right(u, 0), right(u, 1)};
+}
+
+bool Patch::fit_geometry(Mesh& mesh, std::span<const TriangleId> now, std::span<const PointId> free) const {
+  if (free.empty()) return all_valid(mesh, now);
+  const NetLayout& layout = NetLayout::of(degree_);
+  // The old displacements, as nets over the straight triangles, and how long they are: below the rounding of the
+  // coordinates themselves they are none.
+  thread_local std::vector<double> displacement;
+  displacement.resize(elements_.size() * at(2 * n_));
+  double longest = 0, reach = 0;  // squared; of the coordinates
+  for (std::size_t e = 0; e < elements_.size(); ++e)
+    for (int k = 0; k < n_; ++k) {
+      const Element& old = elements_[e];
+      const Point p = old_point(old, k);
+      const Vector d = p - straight(layout, k, old_point(old, 0), old_point(old, 1), old_point(old, 2));
+      displacement[e * at(2 * n_) + at(2 * k)] = d.x;
+      displacement[e * at(2 * n_) + at(2 * k + 1)] = d.y;
+      longest = std::max(longest, squared_length(d));
+      reach = std::max({reach, std::abs(p.x), std::abs(p.y)});
+    }
+  longest = std::sqrt(longest);
+  const bool are_straight = longest <= rounding * reach;
+
+  thread_local std::vector<Vector> solution;
+  solution.assign(free.size(), Vector{});
+  if (!are_straight) fit_displacement(mesh, now, free, displacement, solution);
   for (const TriangleId t : now) {
     const auto net = mesh.net(t);
     for (int k = 3; k < n_; ++k) {
       const int u = index_in(free, net[at(k)]);
       if (u < 0) continue;
-      Vector d{solution(u, 0), solution(u, 1)};
+      Vector d = solution[at(u)];
       if (!is_finite(d)) d = {0, 0};
-      const double far = length(d);
+      const double far = std::sqrt(squared_length(d));
       if (far > longest) d *= longest / far;
       mesh.set_point(net[at(k)], straight(layout, k, mesh.point(net[0]), mesh.point(net[1]), mesh.point(net[2])) + d);
     }
