@@ -111,7 +111,7 @@ double restore_area(const BSpline& old, BSpline& spline, double knot) {
         break;
       }
     }
-  // The area is quadratic in the points, so central differences are its gradient; few steps along it suffice.
+  // The area is quadratic in the points, so central differences are its gradient.
   const auto area_with = [&](int k, const Point& place) {
     const Point kept = spline.points()[at(k)];
     spline.set_point(k, place);
@@ -128,11 +128,17 @@ double restore_area(const BSpline& old, BSpline& spline, double knot) {
     squares += squared_length(gradient.back());
   }
   const double wanted = old.area();
-  for (int step = 0; step < 3 && squares > 0; ++step) {
+  double last = HUGE_VAL;
+  for (int step = 0; step < 60 && squares > 0; ++step) {  // each leaves a small share of the rest, then only rounding
     const double missing = wanted - spline.area();
+    if (!(std::abs(missing) < last)) break;
+    last = std::abs(missing);
     for (std::size_t k = 0; k < near.size(); ++k)
       spline.set_point(near[k], spline.points()[at(near[k])] + (missing / squares) * gradient[k]);
   }
+  Box box;
+  for (const Point& point : old.points()) box.extend(point);
+  if (last > 1e-13 * box.size() * box.size()) return HUGE_VAL;  // too much is missing for small steps
   BSpline again = spline;
   const double place = knot < again.first_parameter() ? knot + again.period() : knot;  // the first break is gone
   for (int m = old.multiplicity(knot); m > 0; --m) again.insert_knot(place);
