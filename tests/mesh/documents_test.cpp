@@ -1,0 +1,77 @@
+// A live mesh and its document: compacting is what writing and reading again does.
+#include <catch2/catch.hpp>
+
+#include "formats/mesh_json.h"
+#include "mesh/same_mesh.h"
+#include "ops/random_operations.h"
+#include "pliant/mesh/check_mesh.h"
+
+using namespace pliant;
+
+namespace {
+
+std::string text_of(const MeshData& data) {
+  std::string text;
+  write_mesh(data, text);
+  return text;
+}
+
+}  // namespace
+
+TEST_CASE("compacting equals writing the document and reading it", "[mesh][property]") {
+  const int degree = GENERATE(1, 2, 3, 4);
+  const bool by_face = GENERATE(false, true);
+  CAPTURE(degree, by_face);
+  Mesh mesh = carried_disk(degree, by_face);
+  for (std::uint64_t round = 0; round < 4; ++round) {
+    RandomOperations(mesh, round).run(80);
+    const std::string text = text_of(mesh.to_data());
+    const Mesh read(read_mesh(text));
+    mesh.compact();
+    REQUIRE(difference(mesh, read) == "");
+    const bool is_same = text_of(mesh.to_data()) == text;
+    CHECK(is_same);
+    CHECK(mesh.triangle_slots() == mesh.triangle_count());
+    CHECK(check_mesh(mesh).empty());
+    // From here on both go on alike.
+    Mesh other(read_mesh(text));
+    RandomOperations(mesh, 50 + round).run(40);
+    RandomOperations(other, 50 + round).run(40);
+    REQUIRE(difference(mesh, other) == "");
+  }
+}
+
+TEST_CASE("compacting again changes nothing, nor does it where only values have changed", "[mesh]") {
+  const int degree = GENERATE(1, 2, 3);
+  Mesh mesh = carried_disk(degree, true);
+  RandomOperations(mesh, 4).run(50);
+  mesh.compact();
+  Mesh again = mesh;
+  again.compact();
+  CHECK(difference(mesh, again) == "");
+
+  std::vector<double> row(static_cast<std::size_t>(mesh.width()), 0.25);
+  mesh.put_fields(0, 0, row);
+  mesh.set_point(mesh.net(0)[0], 1.5 * mesh.point(mesh.net(0)[0]));
+  const Mesh read(mesh.to_data());
+  mesh.compact();
+  CHECK(difference(mesh, read) == "");
+}
+
+TEST_CASE("a document keeps what the mesh does not know, its criteria, time and by-face places", "[mesh]") {
+  MeshData data = samples::three_disks(2);
+  data.time = 0.1;
+  data.criteria.max_area = 0.5;
+  data.criteria.face_area = {{"upper", 0.25}};
+  data.criteria.size = "0.1 + x";
+  data.criteria.extra = {{"wish", "1"}};
+  data.extra = {{"step", "[1,2]"}};
+  data.boundary.extra = {{"unit", "\"mm\""}};
+  data.boundary.curves[1].extra = {{"tension", "3.5"}};
+  data.boundary.curves[1].removal_error = 1e-3;
+  samples::add_field(data, "u", 2, [](const Point& p) { return std::vector<double>{p.y, -0.0}; });
+  data.fields[0].extra = {{"unit", "\"m/s\""}};
+  const std::string text = text_of(data);
+  const bool is_same = text_of(Mesh(read_mesh(text)).to_data()) == text;
+  CHECK(is_same);
+}
