@@ -251,6 +251,10 @@ CurveRemoval remove_curve_vertex(Mesh& mesh, PointId v, const CurveTolerance& to
       if (g != none) add_once(before, triangle_of(g));
   thread_local Patch patch;
   patch.capture(mesh, before);
+  // Where the curve stays where it is, so does the region of the merging elements: integrals are kept there.
+  const bool region_kept = *error <= subdivision_tolerance * mesh.size();
+  thread_local Patch merging;
+  if (region_kept) merging.capture(mesh, {before.data(), star.outgoing.size()});
 
   // Where the elements are a subdivision, its parents' rows come back. Each side finds the long edge for itself: fields
   // by face differ there, and what is shared comes out the same.
@@ -331,16 +335,22 @@ CurveRemoval remove_curve_vertex(Mesh& mesh, PointId v, const CurveTolerance& to
   // Fields: linear functions follow the moved points; the merged elements are restored or fitted.
   if (width > 2) {
     std::size_t column = 2;
+    std::vector<std::pair<FaceId, Patch::Linear>> fits;  // of one column
     for (std::size_t f = 0; f < mesh.fields().size(); ++f)
       for (int c = 0; c < mesh.fields()[f].components; ++c, ++column) {
         const bool by_face = mesh.fields()[f].by_face;
+        fits.clear();
         for (std::size_t k = 0; k < refitted.size(); ++k) {
           const auto& [q, face] = refitted[k];
           if (mesh.point(q) == old_places[k]) continue;
           if (!by_face && k > 0 && refitted[k - 1].first == q) continue;  // once a point
           const std::ptrdiff_t first = mesh.value_index(static_cast<int>(f), q, face);
           if (first < 0) continue;
-          const Patch::Linear linear = patch.linear_of(static_cast<int>(column), by_face ? face : none);
+          const FaceId of_face = by_face ? face : none;
+          auto fit = std::find_if(fits.begin(), fits.end(), [&](const auto& each) { return each.first == of_face; });
+          if (fit == fits.end())
+            fit = fits.insert(fits.end(), {of_face, patch.linear_of(static_cast<int>(column), of_face)});
+          const Patch::Linear& linear = fit->second;
           const double old = mesh.fields()[f].values[static_cast<std::size_t>(first + c)];
           const double change = patch.evaluate(linear, mesh.point(q)) - patch.evaluate(linear, old_places[k]);
           mesh.put_component(static_cast<int>(f), c, q, face, old + change);
@@ -356,7 +366,7 @@ CurveRemoval remove_curve_vertex(Mesh& mesh, PointId v, const CurveTolerance& to
     } else {
       std::vector<PointId> free(edge.ids.begin() + 1, edge.ids.begin() + p);
       free.insert(free.end(), inner.begin(), inner.end());
-      patch.fit_fields(mesh, merged_triangles, free, options, false);
+      (region_kept ? merging : patch).fit_fields(mesh, merged_triangles, free, options, region_kept);
     }
   }
   transaction.commit();
