@@ -180,11 +180,30 @@ class Coarsener {
     triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
   }
 
+  /// Knot removal moves vertices along its curve, too: up to `degree` spans away.
+  void add_curve_neighbors(PointId v) {
+    chain_.assign(1, v);
+    std::size_t first = 0;
+    for (int k = 0; k < mesh_.degree(); ++k)
+      for (const std::size_t last = chain_.size(); first < last; ++first) {
+        const PointId w = chain_[first];
+        find_star(mesh_, w, star_);
+        for (const HalfEdgeId h : star_.outgoing)
+          for (const HalfEdgeId side : {h, previous(h)}) {
+            const PointId next = mesh_.origin(side) == w ? mesh_.target(side) : mesh_.origin(side);
+            if (mesh_.is_constrained(side) && std::find(chain_.begin(), chain_.end(), next) == chain_.end())
+              chain_.push_back(next);
+          }
+      }
+    link_.insert(link_.end(), chain_.begin() + 1, chain_.end());
+  }
+
   void remove(PointId v, Role role) {
     find_star(mesh_, v, star_);
     link_.clear();
     for (const HalfEdgeId h : star_.outgoing) link_.push_back(mesh_.target(h));
     if (!star_.is_closed) link_.push_back(mesh_.apex(star_.outgoing.back()));
+    if (role == Role::curve) add_curve_neighbors(v);
     look_around(around_, link_);
     attacked_.clear();
     double worst_before = 1;
@@ -215,8 +234,12 @@ class Coarsener {
     for (const TriangleId t : around_)
       for (int e = 0; e < 3; ++e)
         if (wants_flip(edge_state(mesh_, half_edge(t, e)))) stack_.push_back(half_edge(t, e));
-    legalize(mesh_, stack_, options_.refit, counts_);
+    touched_.clear();
+    legalize(mesh_, stack_, options_.refit, counts_, -1, &touched_);
     look_around(around_, link_);
+    around_.insert(around_.end(), touched_.begin(), touched_.end());
+    std::sort(around_.begin(), around_.end());
+    around_.erase(std::unique(around_.begin(), around_.end()), around_.end());
     for (const TriangleId t : around_) {
       const char* reason = refine_reason(mesh_, t, options_.goals);
       if (reason && !std::binary_search(attacked_.begin(), attacked_.end(), corners_of(t))) {
@@ -249,11 +272,11 @@ class Coarsener {
 
   Mesh& mesh_;
   const CoarsenOptions& options_;
-  std::vector<PointId> vertices_, link_;
+  std::vector<PointId> vertices_, link_, chain_;
   std::vector<Role> roles_;
   std::vector<double> spacing_;
   std::vector<char> chosen_;
-  std::vector<TriangleId> around_;
+  std::vector<TriangleId> around_, touched_;
   std::vector<Corners> attacked_;
   std::vector<HalfEdgeId> stack_;
   Star star_;
