@@ -29,6 +29,8 @@ struct Entry {
   }
 };
 
+using Way = std::function<Refusal()>;  // of smoothing an edge or the inside of an element
+
 class Smoother {
  public:
   Smoother(Mesh& mesh, const SmoothOptions& options) : mesh_(mesh), options_(options) {}
@@ -108,25 +110,18 @@ class Smoother {
 
   /// Smooths the edges and the inner points of one element; true if anything moved.
   bool smooth(TriangleId t) {
+    if (!is_valid(t)) return untangle(t);
     bool moved = false;
     for (int e = 0; e < 3; ++e) {
       const HalfEdgeId h = half_edge(t, e), g = mesh_.twin(h);
-      if (g == none || mesh_.is_constrained(h)) continue;
+      if (g == none || mesh_.is_constrained(h) || !is_valid(triangle_of(g))) continue;
       const std::array<TriangleId, 2> pair{t, triangle_of(g)};
-      if (!is_valid(t) || !is_valid(pair[1])) {
-        note(smooth_edge(mesh_, h, SmoothGoal::untangle, options_.refit), moved);
-        continue;
-      }
       const auto improve = [&] { return smooth_edge(mesh_, h, SmoothGoal::improve, options_.refit); };
       const auto half = [&] { return straighten_edge(mesh_, h, 0.5, options_.refit); };
       const auto straight = [&] { return straighten_edge(mesh_, h, 0, options_.refit); };
       note(take_best(pair, {improve, half, straight}), moved);
     }
     if (mesh_.degree() <= 2) return moved;
-    if (!is_valid(t)) {
-      note(smooth_interior(mesh_, t, SmoothGoal::untangle, options_.refit), moved);
-      return moved;
-    }
     const std::array<TriangleId, 1> one{t};
     const auto improve = [&] { return smooth_interior(mesh_, t, SmoothGoal::improve, options_.refit); };
     const auto blend = [&] { return blend_interior(mesh_, t, options_.refit); };
@@ -134,15 +129,53 @@ class Smoother {
     return moved;
   }
 
+  /// Makes an element valid by one of its edges or by its inner points alone, if any of them can do so; else moves
+  /// all of them towards validity. No valid neighbour becomes invalid: what tangles must not spread.
+  bool untangle(TriangleId t) {
+    std::vector<Way> ways;
+    if (mesh_.degree() > 2) {
+      ways.push_back([this, t] { return blend_interior(mesh_, t, options_.refit); });
+      ways.push_back([this, t] { return smooth_interior(mesh_, t, SmoothGoal::untangle, options_.refit); });
+    }
+    for (int e = 0; e < 3; ++e) {
+      const HalfEdgeId h = half_edge(t, e);
+      if (mesh_.twin(h) == none || mesh_.is_constrained(h)) continue;
+      for (const double keep : {0.5, 0.0})
+        ways.push_back([this, h, keep] { return straighten_edge(mesh_, h, keep, options_.refit); });
+      ways.push_back([this, h] { return smooth_edge(mesh_, h, SmoothGoal::untangle, options_.refit); });
+    }
+    bool moved = false;
+    for (const bool at_once : {true, false})
+      for (const Way& way : ways) {
+        const int before = count_invalid_across(t);
+        Transaction trial(mesh_);
+        const Refusal outcome = way();
+        if (outcome == Refusal::done && (count_invalid_across(t) > before || (at_once && !is_valid(t)))) continue;
+        if (!at_once || outcome == Refusal::done) note(outcome, moved);
+        if (outcome != Refusal::done) continue;
+        trial.commit();
+        if (is_valid(t)) return true;
+      }
+    return moved;
+  }
+  int count_invalid_across(TriangleId t) const {
+    int count = 0;
+    for (int e = 0; e < 3; ++e) {
+      const HalfEdgeId g = mesh_.twin(half_edge(t, e));
+      count += g != none && !is_valid(triangle_of(g));
+    }
+    return count;
+  }
+
   /// Tries each way of smoothing, and takes the one that leaves the elements least curved, if that is less than now.
-  Refusal take_best(std::span<const TriangleId> elements, std::initializer_list<std::function<Refusal()>> ways) {
+  Refusal take_best(std::span<const TriangleId> elements, std::initializer_list<Way> ways) {
     const auto worst = [&] {
       double most = 0;
       for (const TriangleId t : elements) most = std::max(most, excess(t));
       return most;
     };
     double least = worst() * (1 - progress);
-    const std::function<Refusal()>* best = nullptr;
+    const Way* best = nullptr;
     Refusal refusal = Refusal::would_invert;
     for (const auto& way : ways) {
       Transaction trial(mesh_);
