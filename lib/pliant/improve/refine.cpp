@@ -123,7 +123,11 @@ class Refiner {
     if (shortest <= 2 * floor_) return give_up("at the least size");
     const auto corners = corners_of(t);
     int& failures = failures_[corners];
-    if (failures >= max_failures) return give_up("circumcentre refused");
+    if (failures >= max_failures) {
+      least_edge_ = 0;
+      if (!attack.is_poor && split_longest(t)) return;  // what is too large can always be divided
+      return give_up("circumcentre refused");
+    }
     // Mending a shape must not make edges shorter than the triangle's own shortest: with the bounds on angles that can
     // be kept this is what holds anyway (Ruppert); where curved edges spoil that, it is what ends the refinement.
     least_edge_ = attack.is_poor ? shortest : 0;
