@@ -147,8 +147,8 @@ inline BoundaryComplex glyph() {
                                    {0.0, 0.76}, {0.3, 1.05},  {0.53, 1.05}, {0.75, 1.05}, {1.0, 0.8},   {1.0, 0.6}};
   // Points 0, 2, 4, ... are on the curve, the others its quadratic control points: every break is a double knot.
   std::vector<double> knots{0};
-  for (std::size_t i = 1; i < outline.size() / 2; ++i) knots.insert(knots.end(), 2, static_cast<double>(i));
-  knots.insert(knots.end(), 2, static_cast<double>(outline.size() / 2));
+  const std::size_t spans = outline.size() / 2;
+  for (std::size_t i = 1; i <= spans; ++i) knots.insert(knots.end(), 2, static_cast<double>(i));
   // Basis function i starts at knot i; the first break has its second knot at the end of the period.
   std::vector<Point> rotated(outline.begin() + 1, outline.end());
   rotated.push_back(outline.front());

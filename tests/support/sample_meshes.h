@@ -53,7 +53,7 @@ class MeshBuilder {
 
   /// Gives the edge from points.front() to points.back(), whose ends are the vertices a and b, its shape.
   std::vector<PointId> curved_edge(PointId a, PointId b, const std::vector<Point>& points) {
-    const std::vector<PointId> ids = edge(a, b);
+    std::vector<PointId> ids = edge(a, b);
     for (std::size_t k = 1; k + 1 < points.size(); ++k) data_.points[static_cast<std::size_t>(ids[k])] = points[k];
     return ids;
   }
