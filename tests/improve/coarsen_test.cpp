@@ -95,8 +95,8 @@ TEST_CASE("curves stay within their removal error, which adds up and is bounded"
         accumulated[c] = now.removal_error;
         largest = std::max(largest, now.removal_error);
         const double slack = 1e-4 * mesh.size();  // of the polygon that stands for the other curve
-        CHECK(distance_of_curves(was, now.spline, 120) <= now.removal_error + slack);
-        CHECK(distance_of_curves(now.spline, was, 120) <= now.removal_error + slack);
+        CHECK(distance_of_curves(was, now.spline, 60) <= now.removal_error + slack);
+        CHECK(distance_of_curves(now.spline, was, 60) <= now.removal_error + slack);
         if (keep_area && now.spline.closed()) CHECK(now.spline.area() == Approx(was.area()).epsilon(1e-12));
       }
       CHECK(value_of(report, "accumulated_error") == largest);

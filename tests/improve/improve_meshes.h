@@ -204,7 +204,7 @@ inline double area_at(const Mesh& mesh, TriangleId t) {
 
 /// Largest distance of points of one curve from a dense polygon of the other, less what the polygon itself is off.
 inline double distance_of_curves(const BSpline& from, const BSpline& to, int samples = 300) {
-  const int dense = 3000;
+  const int dense = 1500;
   std::vector<Point> polygon;
   double longest = 0;
   for (int k = 0; k <= dense; ++k) {
