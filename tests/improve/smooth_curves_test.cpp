@@ -168,7 +168,7 @@ TEST_CASE("of elements tangled by displacing every inner control point few are l
   CHECK(left * 20 <= tangled);
 }
 
-TEST_CASE("--split mends what curves spoil, by knots alone", "[improve]") {
+TEST_CASE("the option to split mends what curves spoil, by knots alone", "[improve]") {
   const int degree = GENERATE(2, 3, 4);
   Mesh mesh(samples::disk(degree, 8));
   const BSpline was = mesh.spline(0);
