@@ -51,7 +51,7 @@ class Reporter {
     for (std::size_t t = 0; t < is_chosen_.size(); ++t) is_chosen_[t] = is_face_chosen_[at(data.triangle_faces[t])];
   }
 
-  QualityReport run() {
+  QualityReport run(ElementFigures* elements) {
     report_.degree = data_.degree;
     report_.time = data_.time;
     report_.faults = check_structure(data_);
@@ -61,6 +61,7 @@ class Reporter {
     list_invalid();
     measure_elements();
     measure_edges();
+    if (elements != nullptr) list_elements(*elements);
     report_.fields = field_figures(data_, is_chosen_);
     for (int m = 0; m < metric_count; ++m) {
       report_.metrics.push_back(summarise(metric_spec(m), columns_[at(m)], options_.bins, options_.worst));
@@ -142,6 +143,36 @@ class Reporter {
     }
   }
 
+  void list_elements(ElementFigures& elements) {
+    elements = {};
+    elements.triangles = columns_[element_area_metric].triangles;
+    const InvalidElements found = find_invalid(data_);
+    std::vector<Validity> validity(is_chosen_.size(), Validity::valid);
+    for (const TriangleId t : found.invalid) validity[at(t)] = Validity::invalid;
+    for (const TriangleId t : found.degenerate) validity[at(t)] = Validity::degenerate;
+    std::vector<double> greatest, shortest, longest;
+    for (const TriangleId t : elements.triangles) {
+      elements.validity.push_back(validity[at(t)]);
+      gather(at(t));
+      greatest.push_back(jacobian_range(data_.degree, net_).greatest.upper);
+      double least = HUGE_VAL, most = 0;
+      for (int e = 0; e < 3; ++e) {
+        const double length = curve_length(edge_polygon(data_, half_edge(t, e)));
+        least = std::min(least, length);
+        most = std::max(most, length);
+      }
+      shortest.push_back(least);
+      longest.push_back(most);
+    }
+    for (int m = 0; m < metric_count; ++m) {
+      const MetricSpec& spec = metric_spec(m);
+      elements.columns.push_back(
+          {spec.name, spec.worst_is_least, m == edge_length_metric ? shortest : columns_[at(m)].values});
+      if (m == jacobian_metric) elements.columns.push_back({"jacobian_max", false, greatest});
+      if (m == edge_length_metric) elements.columns.push_back({"edge_length_max", false, longest});
+    }
+  }
+
   /// Constrained edges, and what else has one triangle only.
   std::int64_t count_overlaps() const {
     EdgeCurves edges;
@@ -179,8 +210,8 @@ class Reporter {
 
 }  // namespace
 
-QualityReport report_quality(const MeshData& data, const QualityOptions& options) {
-  return Reporter(data, options).run();
+QualityReport report_quality(const MeshData& data, const QualityOptions& options, ElementFigures* elements) {
+  return Reporter(data, options).run(elements);
 }
 
 }  // namespace pliant

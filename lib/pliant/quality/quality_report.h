@@ -6,6 +6,7 @@
 
 #include "pliant/boundary/fault.h"
 #include "pliant/mesh/mesh_data.h"
+#include "pliant/quality/element_figures.h"
 
 namespace pliant {
 
@@ -61,7 +62,10 @@ struct QualityOptions {
 /// Every metric of the document, which need not satisfy M1–M6: only its arrays must be well-formed (check_arrays).
 /// Faults, overlaps, tangent jump and time are of the whole document, all else of the chosen faces.
 ///
+/// With `elements` also the measures of every chosen element.
+///
 /// Throws      std::invalid_argument where `options.faces` names a face that the document does not have
-QualityReport report_quality(const MeshData& data, const QualityOptions& options = {});
+QualityReport report_quality(const MeshData& data, const QualityOptions& options = {},
+                             ElementFigures* elements = nullptr);
 
 }  // namespace pliant
