@@ -23,6 +23,9 @@ struct JacobianEnclosure {
   double error = 0;        ///< of each coefficient
   double greatest = 0;     ///< max |coefficient|
   std::array<double, max_jacobian_size> coefficients;
+
+  /// The error of coefficients after some bisections: each is a mean of means, at most d roundings deep per bisection.
+  double error_at(int depth) const { return error + 2 * depth * degree * unit_roundoff * greatest; }
 };
 
 void enclose_jacobian(int degree, std::span<const Point> net, JacobianEnclosure& result);

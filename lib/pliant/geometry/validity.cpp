@@ -5,10 +5,7 @@
 #include <cassert>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <optional>
-#include <queue>
-#include <utility>
 #include <vector>
 
 #include "pliant/geometry/bisect_net.h"
@@ -51,11 +48,6 @@ bool is_quadratic_surely_valid(std::span<const Point> net) {
   return result;
 }
 
-/// The error of coefficients after some bisections: each is a mean of means, at most d roundings deep per bisection.
-double error_at(const JacobianEnclosure& jacobian, int depth) {
-  return jacobian.error + 2 * depth * jacobian.degree * unit_roundoff * jacobian.greatest;
-}
-
 /// Valid or invalid with proof, or nothing, by depth-first bisection of the enclosure.
 std::optional<Validity> certify_by_floating_point(const JacobianEnclosure& jacobian) {
   constexpr int greatest_depth = 40;
@@ -73,7 +65,7 @@ std::optional<Validity> certify_by_floating_point(const JacobianEnclosure& jacob
     const int depth = depths.back();
     depths.pop_back();
     std::copy_n(stack.end() - static_cast<std::ptrdiff_t>(size), size, piece.begin());
-    const double error = error_at(jacobian, depth);
+    const double error = jacobian.error_at(depth);
     double at_corners = HUGE_VAL;
     for (const int c : corners) at_corners = std::min(at_corners, piece[at(c)]);
     if (at_corners < -error) return Validity::invalid;
@@ -101,53 +93,6 @@ Validity certify_slowly(int degree, std::span<const Point> net, int corner) {
   return certify_exactly(degree, net, corner);
 }
 
-/// x * 2^exponent, rounded down (towards minus infinity).
-double scale_down(double x, int exponent) {
-  const double result = std::ldexp(x, exponent);
-  const bool is_exact = std::isfinite(result) && std::ldexp(result, -exponent) == x;
-  return is_exact ? result : std::nextafter(result, -HUGE_VAL);
-}
-
-/// An enclosure of the minimum of `sign` * det J, by bisecting the piece with the least coefficient.
-Bounds enclose_minimum(const JacobianEnclosure& jacobian, double sign, double relative_width) {
-  struct Piece {
-    double least;
-    int depth;
-    std::vector<double> coefficients;
-    bool operator<(const Piece& other) const { return least > other.least; }
-  };
-  constexpr int greatest_depth = 80;
-  constexpr int most_pieces = 20000;
-  const int degree = jacobian.degree;
-  const std::array<int, 3> corners = lattice_corners(degree);
-  double upper = HUGE_VAL;
-  std::priority_queue<Piece> pieces;
-  const auto add = [&](std::vector<double> coefficients, int depth) {
-    const double error = error_at(jacobian, depth);
-    for (const int c : corners) upper = std::min(upper, coefficients[at(c)] + error);
-    const double least = *std::min_element(coefficients.begin(), coefficients.end()) - error;
-    pieces.push({least, depth, std::move(coefficients)});
-  };
-  std::vector<double> whole;
-  for (int n = 0; n < net_size(degree); ++n) whole.push_back(sign * jacobian.coefficients[at(n)]);
-  add(std::move(whole), 0);
-  std::vector<double> row;
-  for (int count = 0; count < most_pieces; ++count) {
-    const Piece& worst = pieces.top();
-    const double finest = 4 * error_at(jacobian, worst.depth);
-    if (upper - worst.least <= std::max(relative_width * jacobian.greatest, finest) || worst.depth == greatest_depth)
-      break;
-    const int depth = worst.depth + 1;
-    std::vector<double> left(worst.coefficients.size());
-    std::vector<double> right(worst.coefficients.size());
-    bisect_net<FloatingMean>(degree, worst.coefficients.data(), left.data(), right.data(), row);
-    pieces.pop();
-    add(std::move(left), depth);
-    add(std::move(right), depth);
-  }
-  return {scale_down(pieces.top().least, jacobian.exponent), -scale_down(-upper, jacobian.exponent)};
-}
-
 }  // namespace
 
 Validity certify(int degree, std::span<const Point> net) {
@@ -164,16 +109,6 @@ Validity certify(int degree, std::span<const Point> net) {
 Validity certify_cusp(int degree, std::span<const Point> net, int corner) {
   assert(0 <= corner && corner < 3 && 1 <= degree && degree <= max_degree && net.size() >= at(net_size(degree)));
   return certify_slowly(degree, net, corner);
-}
-
-JacobianRange jacobian_range(int degree, std::span<const Point> net, double relative_width) {
-  assert(1 <= degree && degree <= max_degree && net.size() >= at(net_size(degree)));
-  JacobianEnclosure jacobian;
-  enclose_jacobian(degree, net, jacobian);
-  if (!jacobian.is_finite) return {{-HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, HUGE_VAL}};
-  const Bounds least = enclose_minimum(jacobian, 1, relative_width);
-  const Bounds negated = enclose_minimum(jacobian, -1, relative_width);
-  return {least, {-negated.upper, -negated.lower}};
 }
 
 }  // namespace pliant
