@@ -2,15 +2,14 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <deque>
-#include <utility>
 #include <vector>
 
-#include "pliant/geometry/bisect_net.h"
+#include "pliant/geometry/exact_bisection.h"
 #include "pliant/geometry/jacobian.h"
 #include "pliant/geometry/jacobian_terms.h"
 
@@ -25,17 +24,32 @@ struct IntegerVector {
 };
 Integer cross(const IntegerVector& a, const IntegerVector& b) { return a.x * b.y - a.y * b.x; }
 
-/// The exponent of the lowest bit of a double's 53-bit mantissa; the mantissa as an integer.
-std::pair<std::int64_t, int> mantissa_and_exponent(double x) {
+/// An odd integer and its exponent, or 0 and 0.
+struct OddInteger {
+  std::int64_t mantissa = 0;
   int exponent = 0;
-  const double fraction = std::frexp(x, &exponent);
-  return {static_cast<std::int64_t>(std::ldexp(fraction, 53)), exponent - 53};
-}
+  explicit OddInteger(double x) {
+    if (x == 0) return;
+    mantissa = static_cast<std::int64_t>(std::ldexp(std::frexp(x, &exponent), 53));
+    const int zeros = std::countr_zero(static_cast<std::uint64_t>(mantissa));
+    mantissa >>= zeros;
+    exponent += zeros - 53;
+  }
+};
 
-Integer scaled(double x, int least_exponent) {
-  const auto [mantissa, exponent] = mantissa_and_exponent(x);
-  Integer result = mantissa;
-  if (mantissa != 0) result <<= exponent - least_exponent;
+/// One coordinate of all points, times the power of two that makes integers of them: x and y have one each, since
+/// these scale det J only.
+template <class Coordinate>
+std::vector<Integer> scaled(std::span<const Point> net, Coordinate coordinate) {
+  int least = 2000;
+  for (const Point& p : net)
+    if (const OddInteger x(coordinate(p)); x.mantissa != 0) least = std::min(least, x.exponent);
+  std::vector<Integer> result;
+  for (const Point& p : net) {
+    const OddInteger x(coordinate(p));
+    result.emplace_back(x.mantissa);
+    if (x.mantissa != 0) result.back() <<= x.exponent - least;
+  }
   return result;
 }
 
@@ -44,24 +58,20 @@ struct Partials {
 };
 
 Partials exact_partials(const JacobianTerms& terms, std::span<const Point> net) {
-  int least = 2000;
-  for (const Point& p : net.first(at(net_size(terms.degree))))
-    for (const double x : {p.x, p.y})
-      if (x != 0) least = std::min(least, mantissa_and_exponent(x).second);
-  std::vector<IntegerVector> points;
-  for (const Point& p : net.first(at(net_size(terms.degree))))
-    points.push_back({scaled(p.x, least), scaled(p.y, least)});
+  const std::span<const Point> points = net.first(at(net_size(terms.degree)));
+  const std::vector<Integer> x = scaled(points, [](const Point& p) { return p.x; });
+  const std::vector<Integer> y = scaled(points, [](const Point& p) { return p.y; });
   Partials result;
   for (const auto& [first, second, third] : terms.partials) {
-    const IntegerVector& from = points[at(first)];
-    result.along_2.push_back({points[at(second)].x - from.x, points[at(second)].y - from.y});
-    result.along_3.push_back({points[at(third)].x - from.x, points[at(third)].y - from.y});
+    const std::size_t from = at(first);
+    result.along_2.push_back({x[at(second)] - x[from], y[at(second)] - y[from]});
+    result.along_3.push_back({x[at(third)] - x[from], y[at(third)] - y[from]});
   }
   return result;
 }
 
-Validity from_sign(int sign) {
-  return sign > 0 ? Validity::valid : sign < 0 ? Validity::invalid : Validity::degenerate;
+Certificate from_sign(int sign) {
+  return {sign > 0 ? Validity::valid : sign < 0 ? Validity::invalid : Validity::degenerate, 0};
 }
 
 /// det J of p = 2 is the quadratic form xi^T B xi, so its minimum over the triangle is positive exactly where B is
@@ -107,7 +117,7 @@ struct QuadraticForm {
   }
 };
 
-Validity certify_quadratic(const Partials& partials, int corner) {
+Certificate certify_quadratic(const Partials& partials, int corner) {
   const auto& a = partials.along_2;
   const auto& b = partials.along_3;
   QuadraticForm form;  // 2 det J / 4
@@ -119,39 +129,6 @@ Validity certify_quadratic(const Partials& partials, int corner) {
   if (corner >= 0 && form.diagonal[at(corner)].is_zero()) return from_sign(form.sign_without_corner(at(corner)));
   return from_sign(form.sign_of_minimum());
 }
-
-struct Piece {
-  std::vector<Integer> coefficients;  // in lattice order
-  int corner;                         // the forgiven one, if the piece has it
-  int depth;
-};
-
-enum class Claim { positive, touches_zero, negative, open };
-
-/// What the signs of the coefficients prove. Non-negative ones and three positive corners suffice for det J > 0:
-/// everywhere some corner's basis function is positive. With two, it is so everywhere but in the third corner.
-Claim claim_of(int degree, const Piece& piece) {
-  bool corners_positive = true;
-  const std::array<int, 3> corners = lattice_corners(degree);
-  for (int c = 0; c < 3; ++c) {
-    const int sign = piece.coefficients[at(corners[at(c)])].sign();
-    if (sign < 0) return Claim::negative;
-    if (sign == 0 && c != piece.corner) corners_positive = false;
-  }
-  bool any_positive = false;
-  bool any_negative = false;
-  for (const Integer& x : piece.coefficients) {
-    any_positive = any_positive || x.sign() > 0;
-    any_negative = any_negative || x.sign() < 0;
-  }
-  if (!any_negative) return corners_positive ? Claim::positive : Claim::touches_zero;
-  return any_positive ? Claim::open : Claim::negative;
-}
-
-struct ExactMean {
-  static void add(Integer& a, const Integer& b) { a += b; }
-  static void align(Integer& a, int halvings) { a <<= halvings; }
-};
 
 /// d! times the Bernstein coefficients of det J / p^2, an integer each: the multinomials divide d!.
 std::vector<Integer> exact_coefficients(const JacobianTerms& terms, const Partials& partials) {
@@ -172,42 +149,33 @@ std::vector<Integer> exact_coefficients(const JacobianTerms& terms, const Partia
   return result;
 }
 
-Validity certify_by_bisection(int degree, std::vector<Integer> coefficients, int corner) {
-  constexpr int greatest_depth = 60;  // two bisections halve the diameter
-  constexpr int most_pieces = 8192;
-  constexpr std::size_t most_waiting = 1024;
-  bool is_separated = true;  // from zero
-  std::deque<Piece> waiting;
-  waiting.push_back({std::move(coefficients), corner, 0});
-  std::vector<Integer> row;
-  for (int count = 0; !waiting.empty(); ++count) {
-    Piece piece = std::move(waiting.front());
-    waiting.pop_front();
-    const Claim claim = claim_of(degree, piece);
-    if (claim == Claim::negative) return Validity::invalid;
-    if (claim == Claim::positive) continue;
-    if (claim == Claim::touches_zero || piece.depth == greatest_depth || count >= most_pieces ||
-        waiting.size() >= most_waiting) {
-      is_separated = false;  // the others are still asked whether they are negative
-      continue;
-    }
-    Piece left{std::vector<Integer>(piece.coefficients.size()), corner_in_left(piece.corner), piece.depth + 1};
-    Piece right{std::vector<Integer>(piece.coefficients.size()), corner_in_right(piece.corner), piece.depth + 1};
-    bisect_net<ExactMean>(degree, piece.coefficients.data(), left.coefficients.data(), right.coefficients.data(), row);
-    waiting.push_back(std::move(left));
-    waiting.push_back(std::move(right));
+/// The same numbers side by side, in two's complement.
+LimbNet to_limbs(int degree, const std::vector<Integer>& coefficients, int bits) {
+  LimbNet net(degree, at(bits / 64 + 1));
+  for (int n = 0; n < net.size(); ++n) {
+    const Integer& x = coefficients[at(n)];
+    Limb* const to = net.at(n);
+    if (x.is_zero()) continue;
+    // -x = ~(x - 1), and x - 1 is not negative.
+    export_bits(x.sign() > 0 ? x : Integer(-x - 1), to, 64, false);
+    if (x.sign() < 0) std::transform(to, to + net.width(), to, [](Limb limb) { return ~limb; });
   }
-  return is_separated ? Validity::valid : Validity::degenerate;
+  return net;
 }
 
 }  // namespace
 
-Validity certify_exactly(int degree, std::span<const Point> net, int corner) {
+Certificate certify_exactly(int degree, std::span<const Point> net, int corner) {
   const JacobianTerms& terms = JacobianTerms::of(degree);
   const Partials partials = exact_partials(terms, net);
   if (degree == 1) return from_sign(cross(partials.along_2[0], partials.along_3[0]).sign());
   if (degree == 2) return certify_quadratic(partials, corner);
-  return certify_by_bisection(jacobian_degree(degree), exact_coefficients(terms, partials), corner);
+  const std::vector<Integer> coefficients = exact_coefficients(terms, partials);
+  int bits = 0;
+  for (const Integer& x : coefficients)
+    if (!x.is_zero()) bits = std::max(bits, static_cast<int>(msb(abs(x))) + 1);
+  if (bits == 0) return {Validity::degenerate, 0};
+  return certify_by_bisection(to_limbs(jacobian_degree(degree), coefficients, bits), bits, corner);
 }
 
 }  // namespace pliant

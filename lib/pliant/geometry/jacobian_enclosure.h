@@ -10,12 +10,14 @@ inline constexpr double unit_roundoff = 0x1p-53;
 
 /// det J = (coefficients, each within `error`) * 2^exponent; the coefficients stand in lattice order.
 ///
-/// Bound. With u = 2^-53 every difference of control points is the true one times (1 + d), |d| <= u; each product of
-/// the sum sum_n w (a b - c e) then carries at most 2 (differences) + 1 (product) + 1 (subtraction) + 2 (weight and its
-/// rounding) + n - 1 (additions) = n + 5 such factors. So a coefficient is wrong by at most
-/// gamma(n + 5) * S, S = sum w (|a b| + |c e|), and (n + 8) u S, with S as computed, covers that and its own rounding.
-/// `error` is the greatest of these plus 2^-1000, for products that underflow: the differences are scaled by a power of
-/// two so that the greatest lies within 2^±400, hence nothing overflows, and what underflows is below 2^-1040 in sum.
+/// Bound. A coefficient is (p^2 / M) sum of m_i m_j (a_i.x b_j.y - a_i.y b_j.x) over the n pairs of partials that it
+/// takes, m and M multinomials with sum m_i m_j = M. With u = 2^-53 every term carries 2 (differences of control
+/// points) + 2 (times m) + 1 (product) + 1 (subtraction) + n - 1 (additions) + 2 (weight and its rounding) = n + 7
+/// factors 1 + d, |d| <= u. So the coefficient is wrong by at most gamma(n + 7) p^2 (Ax By + Ay Bx), where Ax is the
+/// greatest |a.x| and so on; `error` is (n + 10) u p^2 (Ax By + Ay Bx) as computed, which covers that and the
+/// rounding of the bound itself, plus 2^-1000 for what underflows: the differences are scaled by a power of two so that
+/// the greatest lies within 2^±400, hence nothing overflows; differences and their integer multiples lose nothing where
+/// they are subnormal, and products that do, and differences that the scaling makes so, sum up to less than 2^-1030.
 struct JacobianEnclosure {
   int degree = 0;          ///< of det J
   int exponent = 0;        ///< of the power of two

@@ -6,10 +6,10 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
-#include <vector>
 
 #include "pliant/geometry/bisect_net.h"
 #include "pliant/geometry/exact_validity.h"
+#include "pliant/geometry/jacobian.h"
 #include "pliant/geometry/jacobian_enclosure.h"
 
 namespace pliant {
@@ -48,38 +48,36 @@ bool is_quadratic_surely_valid(std::span<const Point> net) {
   return result;
 }
 
-/// Valid or invalid with proof, or nothing, by depth-first bisection of the enclosure.
-std::optional<Validity> certify_by_floating_point(const JacobianEnclosure& jacobian) {
+/// Valid or invalid with proof, or nothing, by depth-first bisection of the enclosure. The first piece that stays open
+/// ends it: the exact search goes for the lowest place at once.
+std::optional<Validity> certify_by_floating_bisection(const JacobianEnclosure& jacobian) {
   constexpr int greatest_depth = 40;
-  constexpr int most_pieces = 1000;
+  constexpr int most_pieces = 4000;
   const int degree = jacobian.degree;
   const std::size_t size = at(net_size(degree));
   const std::array<int, 3> corners = lattice_corners(degree);
-  std::vector<double> stack(jacobian.coefficients.begin(),
-                            jacobian.coefficients.begin() + static_cast<std::ptrdiff_t>(size));
-  std::vector<int> depths{0};
-  std::vector<double> piece(size);
-  std::vector<double> row;
-  bool is_open = false;
-  for (int count = 0; !depths.empty(); ++count) {
-    const int depth = depths.back();
-    depths.pop_back();
-    std::copy_n(stack.end() - static_cast<std::ptrdiff_t>(size), size, piece.begin());
+  std::array<double, (greatest_depth + 2) * max_jacobian_size> stack;
+  std::array<int, greatest_depth + 2> depths;
+  std::array<double, max_jacobian_size> piece;
+  std::array<double, jacobian_degree(max_degree) + 1> row;
+  std::copy_n(jacobian.coefficients.begin(), size, stack.begin());
+  depths[0] = 0;
+  std::size_t waiting = 1;
+  for (int count = 0; waiting > 0; ++count) {
+    --waiting;
+    const int depth = depths[waiting];
+    double* const top = stack.data() + waiting * size;
     const double error = jacobian.error_at(depth);
     double at_corners = HUGE_VAL;
-    for (const int c : corners) at_corners = std::min(at_corners, piece[at(c)]);
+    for (const int c : corners) at_corners = std::min(at_corners, top[c]);
     if (at_corners < -error) return Validity::invalid;
-    const bool is_positive = *std::min_element(piece.begin(), piece.end()) > error;
-    if (is_positive || at_corners <= error || depth == greatest_depth || count >= most_pieces) {
-      is_open = is_open || !is_positive;
-      stack.resize(stack.size() - size);
-      continue;
-    }
-    stack.resize(stack.size() + size);
-    bisect_net<FloatingMean>(degree, piece.data(), &stack[stack.size() - 2 * size], &stack[stack.size() - size], row);
-    depths.insert(depths.end(), 2, depth + 1);
+    if (*std::min_element(top, top + size) > error) continue;
+    if (at_corners <= error || depth == greatest_depth || count >= most_pieces) return std::nullopt;
+    std::copy_n(top, size, piece.begin());
+    bisect_net<FloatingMean>(degree, piece.data(), top, top + size, row.data());
+    depths[waiting] = depths[waiting + 1] = depth + 1;
+    waiting += 2;
   }
-  if (is_open) return std::nullopt;
   return Validity::valid;
 }
 
@@ -87,10 +85,13 @@ Validity certify_slowly(int degree, std::span<const Point> net, int corner) {
   if (degree > 1) {
     JacobianEnclosure jacobian;
     enclose_jacobian(degree, net, jacobian);
-    if (jacobian.is_finite)
-      if (const auto proof = certify_by_floating_point(jacobian)) return *proof;
+    if (jacobian.is_finite) {
+      const auto end = jacobian.coefficients.begin() + net_size(jacobian.degree);
+      if (*std::min_element(jacobian.coefficients.begin(), end) > jacobian.error) return Validity::valid;
+      if (const auto proof = certify_by_floating_bisection(jacobian)) return *proof;
+    }
   }
-  return certify_exactly(degree, net, corner);
+  return certify_exactly(degree, net, corner).validity;
 }
 
 }  // namespace
