@@ -1,4 +1,6 @@
 // formats/document_stream.cpp: cuts a stream into documents by their braces, with memory for one
+#include <sys/mman.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -78,6 +80,12 @@ struct DocumentStream::State {
   long frame = -1;
   long line = 1;        // of buffer[begin]
   long first_line = 1;  // of the document last returned
+  void* mapped = MAP_FAILED;
+  std::size_t mapped_size = 0;
+
+  ~State() {
+    if (mapped != MAP_FAILED) ::munmap(mapped, mapped_size);
+  }
 
   /// Reads more behind `end`; false at the end of the stream.
   bool fill() {
@@ -113,6 +121,19 @@ struct DocumentStream::State {
       if (got >= 0) return static_cast<std::size_t>(got);
       if (errno != EINTR) throw std::system_error(errno, std::generic_category(), "reading " + name);
     }
+  }
+
+  /// The bytes of a regular file, from its first one on; none if it is no such file.
+  std::string_view map_file() {
+    struct stat status {};
+    const int file = fileno(stream);
+    if (file < 0 || ::fstat(file, &status) != 0 || !S_ISREG(status.st_mode) || status.st_size == 0 ||
+        ::lseek(file, 0, SEEK_CUR) != 0)
+      return {};
+    mapped_size = static_cast<std::size_t>(status.st_size);
+    mapped = ::mmap(nullptr, mapped_size, PROT_READ, MAP_PRIVATE, file, 0);
+    if (mapped == MAP_FAILED) return {};
+    return {static_cast<const char*>(mapped), mapped_size};
   }
 
   void pass(std::size_t count) {
@@ -175,6 +196,15 @@ bool DocumentStream::next(std::string_view& document) {
   document = {s.buffer.get() + s.begin, size};
   s.pass(size);
   return true;
+}
+
+std::string_view DocumentStream::all_if(std::string_view start) {
+  State& s = *state_;
+  if (const std::string_view bytes = s.map_file(); bytes.substr(0, start.size()) == start) return bytes;
+  while (s.end - s.begin < start.size() && s.fill()) continue;
+  if (std::string_view(s.buffer.get() + s.begin, s.end - s.begin).substr(0, start.size()) != start) return {};
+  while (s.fill()) continue;
+  return {s.buffer.get() + s.begin, s.end - s.begin};
 }
 
 long DocumentStream::frame() const { return state_->frame; }

@@ -29,6 +29,10 @@ class DocumentStream {
   /// The text of the next document, valid until the next call; false at the end. Blank lines are skipped.
   /// Throws      std::system_error when reading fails
   bool next(std::string_view& document);
+  /// All of a stream that starts with these bytes, valid as long as this object; empty, and nothing is passed, if it
+  /// starts with others. Only before the first `next`. A regular file is mapped, not copied.
+  /// Throws      std::system_error when reading fails
+  std::string_view all_if(std::string_view start);
   long frame() const;       ///< number of the document last returned, from 0
   long first_line() const;  ///< line on which it starts, from 1
   const std::string& name() const;

@@ -11,6 +11,7 @@
 #include <system_error>
 
 #include "formats/mesh_json.h"
+#include "formats/msh.h"
 #include "formats/read_json.h"
 #include "pliant/mesh/check_mesh.h"
 
@@ -60,7 +61,8 @@ struct Closer {
 };
 
 void for_each_document(const ToolOptions& options,
-                       const std::function<void(std::string_view text, const Frame&)>& use) {
+                       const std::function<void(std::string_view text, const Frame&)>& use,
+                       const std::function<void(std::string_view bytes, const Frame&)>& use_msh = {}) {
   std::unique_ptr<std::FILE, Closer> file;
   Frame frame;
   frame.source = "standard input";
@@ -70,6 +72,10 @@ void for_each_document(const ToolOptions& options,
     if (file == nullptr) throw std::system_error(errno, std::generic_category(), options.input);
   }
   DocumentStream stream(file == nullptr ? stdin : file.get(), frame.source);
+  if (use_msh) {
+    const std::string_view bytes = stream.all_if(msh_magic);
+    if (!bytes.empty()) return use_msh(bytes, frame);
+  }
   std::string_view document;
   while (stream.next(document)) {
     frame.index = stream.frame();
@@ -78,6 +84,17 @@ void for_each_document(const ToolOptions& options,
   }
   if (stream.frame() < 0)
     throw Placed(status::bad_input, frame.source + ":1: the input is empty; expected a JSON document");
+}
+
+/// The mesh of an MSH file; warnings go to standard error.
+MeshData import_msh(const ToolOptions& options, std::string_view bytes, const Frame& frame) {
+  try {
+    MshImport import = read_msh(bytes);
+    for (const std::string& text : import.warnings) say(options, frame.source + ": " + text);
+    return std::move(import.mesh);
+  } catch (const InputError& e) {
+    throw Placed(status::bad_input, frame.source + ": " + at_pointer(e.pointer(), e.what()));
+  }
 }
 
 std::string list_elements(const InvalidElements& bad) {
@@ -159,7 +176,12 @@ void say(const ToolOptions& options, const std::string& text) {
 }
 
 void for_each_mesh(const ToolOptions& options, const std::function<void(MeshData&&, const Frame&)>& use) {
-  for_each_document(options, [&](std::string_view text, const Frame& frame) { use(read_mesh(text), frame); });
+  const auto use_document = [&](std::string_view text, const Frame& frame) { use(read_mesh(text), frame); };
+  if (!options.takes_msh) return for_each_document(options, use_document);
+  for_each_document(options, use_document, [&](std::string_view bytes, const Frame& frame) {
+    MeshData mesh = import_msh(options, bytes, frame);
+    with_place(frame, [&] { use(std::move(mesh), frame); });
+  });
 }
 
 void for_each_boundary(const ToolOptions& options, const std::function<void(BoundaryComplex&&, const Frame&)>& use) {

@@ -55,6 +55,7 @@ struct ToolOptions {
   std::string report;        ///< --report; empty: none
   bool quiet = false;        ///< -q, --quiet
   bool verbose = false;      ///< -v, --verbose
+  bool takes_msh = false;    ///< set by tools whose `for_each_mesh` also reads Gmsh's MSH files
 };
 
 /// Adds [INPUT], -o, -q, -v, -j, --version and (unless `with_report` is false) --report.
@@ -76,7 +77,8 @@ struct Frame {
 };
 
 /// Calls `use` with every mesh of the input, one at a time. What `use` throws gets the place of the document: an
-/// InputError comes out with "FILE:LINE: frame N: /pointer: ", a NoResult with "FILE: frame N: ".
+/// InputError comes out with "FILE:LINE: frame N: /pointer: ", a NoResult with "FILE: frame N: ". With `takes_msh` an
+/// MSH file, known by its first bytes, is one frame; what it lacks is said on standard error.
 /// Throws      InputError also for an empty input; std::system_error where the input cannot be read
 void for_each_mesh(const ToolOptions& options, const std::function<void(MeshData&&, const Frame&)>& use);
 /// The same with boundary documents.
