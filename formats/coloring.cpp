@@ -11,7 +11,7 @@
 #include "pliant/geometry/linear_triangle.h"
 #include "pliant/geometry/turning_angle.h"
 #include "pliant/geometry/validity.h"
-#include "pliant/quality/edge_table.h"
+#include "pliant/quality/edge_curves.h"
 #include "pliant/quality/element_quality.h"
 
 namespace pliant {

@@ -14,8 +14,8 @@ class BoxTree {
     if (!order_.empty()) build(0, static_cast<int>(order_.size()));
   }
 
-  void collect(std::vector<std::array<int, 2>>& pairs) const {
-    if (!nodes_.empty()) within(0, pairs);
+  void visit_pairs(const PairVisitor& visit) const {
+    if (!nodes_.empty()) (void)within(0, visit);
   }
 
  private:
@@ -52,37 +52,33 @@ class BoxTree {
     return here;
   }
 
-  void report(int i, int j, std::vector<std::array<int, 2>>& pairs) const {
-    if (!box_at(i).overlaps(box_at(j))) return;
+  // Each of the following is false once the visitor wants no more.
+
+  bool show(int i, int j, const PairVisitor& visit) const {
+    if (!box_at(i).overlaps(box_at(j))) return true;
     const int a = order_[static_cast<std::size_t>(i)], b = order_[static_cast<std::size_t>(j)];
-    pairs.push_back({std::min(a, b), std::max(a, b)});
+    return visit(std::min(a, b), std::max(a, b));
   }
 
-  void within(int n, std::vector<std::array<int, 2>>& pairs) const {
+  bool within(int n, const PairVisitor& visit) const {
     const Node& a = node(n);
-    if (a.left < 0) {
-      for (int i = a.first; i < a.last; ++i)
-        for (int j = i + 1; j < a.last; ++j) report(i, j, pairs);
-      return;
-    }
-    within(a.left, pairs);
-    within(a.right, pairs);
-    between(a.left, a.right, pairs);
+    if (a.left >= 0) return within(a.left, visit) && within(a.right, visit) && between(a.left, a.right, visit);
+    for (int i = a.first; i < a.last; ++i)
+      for (int j = i + 1; j < a.last; ++j)
+        if (!show(i, j, visit)) return false;
+    return true;
   }
 
-  void between(int m, int n, std::vector<std::array<int, 2>>& pairs) const {
+  bool between(int m, int n, const PairVisitor& visit) const {
     const Node &a = node(m), &b = node(n);
-    if (!a.box.overlaps(b.box)) return;
-    if (a.left < 0 && b.left < 0) {
-      for (int i = a.first; i < a.last; ++i)
-        for (int j = b.first; j < b.last; ++j) report(i, j, pairs);
-    } else if (b.left < 0 || (a.left >= 0 && a.last - a.first >= b.last - b.first)) {
-      between(a.left, n, pairs);
-      between(a.right, n, pairs);
-    } else {
-      between(m, b.left, pairs);
-      between(m, b.right, pairs);
-    }
+    if (!a.box.overlaps(b.box)) return true;
+    if (a.left >= 0 && (b.left < 0 || a.last - a.first >= b.last - b.first))
+      return between(a.left, n, visit) && between(a.right, n, visit);
+    if (b.left >= 0) return between(m, b.left, visit) && between(m, b.right, visit);
+    for (int i = a.first; i < a.last; ++i)
+      for (int j = b.first; j < b.last; ++j)
+        if (!show(i, j, visit)) return false;
+    return true;
   }
 
   std::span<const Box> boxes_;
@@ -92,9 +88,16 @@ class BoxTree {
 
 }  // namespace
 
+void visit_overlapping_pairs(std::span<const Box> boxes, const PairVisitor& visit) {
+  BoxTree(boxes).visit_pairs(visit);
+}
+
 std::vector<std::array<int, 2>> overlapping_pairs(std::span<const Box> boxes) {
   std::vector<std::array<int, 2>> pairs;
-  BoxTree(boxes).collect(pairs);
+  visit_overlapping_pairs(boxes, [&pairs](int i, int j) {
+    pairs.push_back({i, j});
+    return true;
+  });
   std::sort(pairs.begin(), pairs.end());
   return pairs;
 }

@@ -20,10 +20,13 @@ double triangle_shape(const Point& a, const Point& b, const Point& c) {
 }
 
 double least_angle(const Point& a, const Point& b, const Point& c) {
+  // It is opposite the shortest side.
+  const double ab = squared_length(b - a), bc = squared_length(c - b), ca = squared_length(a - c);
   const auto angle = [](const Point& at, const Point& p, const Point& q) {
     return std::atan2(std::fabs(cross(p - at, q - at)), dot(p - at, q - at));
   };
-  return std::min({angle(a, b, c), angle(b, c, a), angle(c, a, b)});
+  if (ab <= bc && ab <= ca) return angle(c, a, b);
+  return bc <= ca ? angle(a, b, c) : angle(b, c, a);
 }
 
 double radius_edge_ratio(const Point& a, const Point& b, const Point& c) {

@@ -38,8 +38,10 @@ struct Box {
   Point low{HUGE_VAL, HUGE_VAL};
   Point high{-HUGE_VAL, -HUGE_VAL};
   void extend(const Point& p) {
-    low = {std::fmin(low.x, p.x), std::fmin(low.y, p.y)};
-    high = {std::fmax(high.x, p.x), std::fmax(high.y, p.y)};
+    if (p.x < low.x) low.x = p.x;
+    if (p.y < low.y) low.y = p.y;
+    if (p.x > high.x) high.x = p.x;
+    if (p.y > high.y) high.y = p.y;
   }
   bool contains(const Point& p) const { return low.x <= p.x && p.x <= high.x && low.y <= p.y && p.y <= high.y; }
   bool overlaps(const Box& b) const {

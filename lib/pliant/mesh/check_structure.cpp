@@ -1,11 +1,12 @@
 // The structural invariants M1, M2, M4, M5, M6 of a document, from its arrays alone: independent of class Mesh.
 #include <algorithm>
 #include <map>
-#include <numeric>
+#include <span>
 #include <string>
 
 #include "pliant/boundary/check_boundary.h"
 #include "pliant/mesh/check_mesh.h"
+#include "pliant/mesh/edge_uses.h"
 
 namespace pliant {
 namespace {
@@ -17,12 +18,13 @@ std::size_t at(I i) {
 
 class Checker {
  public:
-  Checker(const MeshData& data, int limit)
+  Checker(const MeshData& data, const EdgeUses& uses, int limit)
       : data_(data),
         limit_(limit),
         layout_(NetLayout::of(data.degree)),
         n_(at(layout_.size())),
-        triangles_(static_cast<TriangleId>(data.triangle_faces.size())) {}
+        triangles_(static_cast<TriangleId>(data.triangle_faces.size())),
+        uses_(uses) {}
 
   std::vector<Fault> run() {
     for (Fault fault : check_boundary(data_.boundary)) {
@@ -43,6 +45,7 @@ class Checker {
     if (++counts_[invariant] <= limit_) faults_.push_back({invariant, std::move(place), std::move(text)});
   }
   std::string place_of(TriangleId t) const { return "/triangles/" + std::to_string(at(t) * n_); }
+  static std::string point_place(std::size_t p) { return "/points/" + std::to_string(2 * p); }
   PointId entry(TriangleId t, int index) const { return data_.triangles[at(t) * n_ + at(index)]; }
   PointId corner(TriangleId t, int c) const { return entry(t, c); }
   PointId edge_point(HalfEdgeId h, int k) const { return entry(triangle_of(h), layout_.edge_index(edge_of(h), k)); }
@@ -53,37 +56,39 @@ class Checker {
            std::to_string(triangle_of(h)) + ")";
   }
 
-  /// Half-edges by origin; twins; M1 for shared edges, M2 for edges with too many triangles.
+  /// Twins; M1 for shared edges, M2 for edges with too many triangles.
   void find_edges() {
-    const HalfEdgeId half_edges = 3 * triangles_;
-    first_.assign(data_.points.size() + 1, 0);
-    for (HalfEdgeId h = 0; h < half_edges; ++h) ++first_[at(origin(h)) + 1];
-    std::partial_sum(first_.begin(), first_.end(), first_.begin());
-    leaving_.resize(at(half_edges));
-    std::vector<std::int32_t> fill(first_.begin(), first_.end() - 1);
-    for (HalfEdgeId h = 0; h < half_edges; ++h) leaving_[at(fill[at(origin(h))]++)] = h;
-    twins_.assign(at(half_edges), none);
-    for (HalfEdgeId h = 0; h < half_edges; ++h) {
+    twins_.assign(3 * at(triangles_), none);
+    for (std::size_t e = 0; e < uses_.count(); ++e) {
+      const std::span<const HalfEdgeId> all = uses_.of(e);
+      const HalfEdgeId h = all[0];
       if (origin(h) == target(h)) {
-        fault("M2", place_of(triangle_of(h)), "two corners are the same point");
+        for (const HalfEdgeId g : all) fault("M2", place_of(triangle_of(g)), "two corners are the same point");
         continue;
       }
-      if (find(origin(h), target(h)) != h)
-        fault("M2", place_of(triangle_of(h)), edge_text(h) + " has another triangle on the same side");
-      const HalfEdgeId g = find(target(h), origin(h));
-      twins_[at(h)] = g;
-      if (g == none || g < h) continue;
-      for (int k = 0; k <= data_.degree; ++k)
-        if (edge_point(h, k) != edge_point(g, data_.degree - k)) {
-          fault("M1", place_of(triangle_of(h)),
-                edge_text(h) + " has other control points in triangle " + std::to_string(triangle_of(g)));
-          break;
-        }
+      // Of several in one direction the first one counts; the others are faults, and have it for a twin.
+      HalfEdgeId back = none;
+      for (const HalfEdgeId g : all.subspan(1)) {
+        if (origin(g) == origin(h) || back != none)
+          fault("M2", place_of(triangle_of(g)), edge_text(g) + " has another triangle on the same side");
+        if (origin(g) != origin(h) && back == none) back = g;
+      }
+      if (back == none) continue;
+      for (const HalfEdgeId g : all) twins_[at(g)] = origin(g) == origin(h) ? back : h;
+      check_shared_points(h, back);
     }
   }
+  void check_shared_points(HalfEdgeId h, HalfEdgeId g) {
+    for (int k = 0; k <= data_.degree; ++k)
+      if (edge_point(h, k) != edge_point(g, data_.degree - k)) {
+        fault("M1", place_of(triangle_of(h)),
+              edge_text(h) + " has other control points in triangle " + std::to_string(triangle_of(g)));
+        return;
+      }
+  }
   HalfEdgeId find(PointId from, PointId to) const {
-    for (std::int32_t k = first_[at(from)]; k < first_[at(from) + 1]; ++k)
-      if (target(leaving_[at(k)]) == to) return leaving_[at(k)];
+    for (const HalfEdgeId h : uses_.between(data_, from, to))
+      if (origin(h) == from) return h;
     return none;
   }
 
@@ -116,29 +121,32 @@ class Checker {
 
   /// M2: around each vertex one disk, or half-disks.
   void check_stars() {
-    for (std::size_t v = 0; v + 1 < first_.size(); ++v) {
-      const int all = first_[v + 1] - first_[v];
-      if (all == 0) continue;
-      int open_fans = 0, in_open = 0;
-      for (std::int32_t k = first_[v]; k < first_[v + 1]; ++k) {
-        if (twins_[at(leaving_[at(k)])] != none) continue;
-        ++open_fans;
-        for (HalfEdgeId h = leaving_[at(k)]; h != none && in_open <= all; h = twins_[at(previous(h))]) ++in_open;
-      }
-      const std::string place = "/points/" + std::to_string(2 * v);
-      if (open_fans > 0) {
-        if (in_open != all)
-          fault("M2", place, "the triangles around point " + std::to_string(v) + " are no half-disks");
+    std::vector<std::int32_t> corners(data_.points.size()), in_open(data_.points.size());
+    std::vector<HalfEdgeId> leaving(data_.points.size(), none);
+    for (HalfEdgeId h = 3 * triangles_; h-- > 0;) {
+      ++corners[at(origin(h))];
+      leaving[at(origin(h))] = h;
+    }
+    for (HalfEdgeId h = 0; h < 3 * triangles_; ++h) {
+      if (twins_[at(h)] != none) continue;
+      std::int32_t& seen = in_open[at(origin(h))];
+      for (HalfEdgeId g = h; g != none && seen <= corners[at(origin(h))]; g = twins_[at(previous(g))]) ++seen;
+    }
+    for (std::size_t v = 0; v < corners.size(); ++v) {
+      if (corners[v] == 0) continue;
+      if (in_open[v] > 0) {
+        if (in_open[v] != corners[v])
+          fault("M2", point_place(v), "the triangles around point " + std::to_string(v) + " are no half-disks");
         continue;
       }
-      int turned = 0;
-      HalfEdgeId h = leaving_[at(first_[v])];
-      const HalfEdgeId start = h;
+      std::int32_t turned = 0;
+      HalfEdgeId h = leaving[v];
       do {
         ++turned;
         h = twins_[at(previous(h))];
-      } while (h != none && h != start && turned <= all);
-      if (turned != all) fault("M2", place, "the triangles around point " + std::to_string(v) + " are not one disk");
+      } while (h != none && h != leaving[v] && turned <= corners[v]);
+      if (turned != corners[v])
+        fault("M2", point_place(v), "the triangles around point " + std::to_string(v) + " are not one disk");
     }
   }
 
@@ -256,12 +264,19 @@ class Checker {
   TriangleId triangles_;
   std::vector<Fault> faults_;
   std::map<std::string, int> counts_;
-  std::vector<std::int32_t> first_, constrained_;
-  std::vector<HalfEdgeId> leaving_, twins_;
+  const EdgeUses& uses_;
+  std::vector<HalfEdgeId> twins_;
+  std::vector<std::int32_t> constrained_;
 };
 
 }  // namespace
 
-std::vector<Fault> check_structure(const MeshData& data, int limit) { return Checker(data, limit).run(); }
+std::vector<Fault> check_structure(const MeshData& data, int limit) {
+  return check_structure(data, edge_uses(data), limit);
+}
+
+std::vector<Fault> check_structure(const MeshData& data, const EdgeUses& uses, int limit) {
+  return Checker(data, uses, limit).run();
+}
 
 }  // namespace pliant

@@ -1,5 +1,5 @@
 #pragma once  // lib/pliant/quality/crossing_edges.h: pairs of curved edges that cross
-#include <cstdint>
+#include <cstddef>
 #include <span>
 #include <utility>
 #include <vector>
@@ -21,9 +21,16 @@ struct EdgeCurves {
   }
 };
 
-/// The number of pairs of edges that meet elsewhere than at a common vertex: that cross, touch, or are closer than
-/// 1e-11 of their size, as check_boundary_geometry has it. A cusp at a common vertex does not count, nor does an edge
-/// that crosses itself. Complexity  O(n log n + pairs of boxes that overlap), pairs decided by subdivision
-std::int64_t count_crossings(const EdgeCurves& edges);
+/// Two edges that meet elsewhere than at a common vertex.
+struct Crossing {
+  std::size_t first, second;
+  Point place;
+};
+
+/// All pairs of edges that meet elsewhere than at a common vertex: that cross, touch, or are closer than 1e-11 of their
+/// size, as check_boundary_geometry has it; ascending, and at most `most` of them. A cusp at a common vertex does not
+/// count, nor does an edge that crosses itself.
+/// Complexity  O(n log n + pairs of boxes that overlap), pairs decided by subdivision
+std::vector<Crossing> find_crossings(const EdgeCurves& edges, std::size_t most = 1'000'000);
 
 }  // namespace pliant

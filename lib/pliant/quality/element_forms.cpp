@@ -1,9 +1,11 @@
 #include "pliant/quality/element_forms.h"  // lib/pliant/quality/element_forms.cpp: sums of products, from a table
 
 #include <algorithm>
+#include <bit>
 #include <cassert>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <numeric>
 
 namespace pliant {
@@ -62,6 +64,24 @@ const FormTable& table_of(int degree) {
   return all[at(degree - 1)];
 }
 
+/// The greatest power of two not above x > 0, but at least 2^-1022, lest its inverse overflow.
+double power_of_two(double x) {
+  const auto bits = std::bit_cast<std::uint64_t>(x) & 0x7ff0000000000000U;
+  return bits == 0 ? 0x1p-1022 : std::bit_cast<double>(bits);
+}
+
+/// The table's sums for p = 2, written out: a at the corners, means of a with its neighbour on the edges.
+void quadratic_forms(const Vector* along_2, const Vector* along_3, ElementForms& forms) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t j = (i + 1) % 3;
+    const Vector &a = along_2[i], &b = along_3[i], &c = along_2[j], &d = along_3[j];
+    forms.jacobian[i] = 4 * cross(a, b);
+    forms.squares[i] = 4 * (dot(a, a - b) + dot(b, b));
+    forms.jacobian[3 + i] = 2 * (cross(a, d) + cross(c, b));
+    forms.squares[3 + i] = 2 * (2 * dot(a, c) - dot(a, d) - dot(c, b) + 2 * dot(b, d));
+  }
+}
+
 }  // namespace
 
 std::span<const std::array<int, 3>> control_triangles(int degree) { return table_of(degree).triangles; }
@@ -85,12 +105,16 @@ void element_forms(int degree, std::span<const Point> net, ElementForms& forms) 
   forms.is_point = greatest == 0;
   forms.is_finite = std::isfinite(greatest);
   if (!forms.is_finite) return;
-  forms.exponent = forms.is_point ? 0 : std::max(std::ilogb(greatest), -1023);
-  const double scale = std::ldexp(1.0, -forms.exponent);
+  forms.unit = forms.is_point ? 1 : power_of_two(greatest);
+  const double scale = 1 / forms.unit;
   for (std::size_t m = 0; m < partials; ++m) {
     along_2[m] *= scale;
     along_3[m] *= scale;
   }
+  // Components are below 2, so each product below 16; a coefficient is a sum of `most_terms` of them whose weights sum
+  // to p^2, each carrying some ten roundings of 2^-53.
+  forms.error = (table.most_terms + 10) * 0x1p-53 * 16 * degree * degree;
+  if (degree == 2) return quadratic_forms(along_2.data(), along_3.data(), forms);
   std::fill_n(forms.jacobian.begin(), forms.size(), 0.0);
   std::fill_n(forms.squares.begin(), forms.size(), 0.0);
   for (const Term& term : table.terms) {
@@ -99,9 +123,6 @@ void element_forms(int degree, std::span<const Point> net, ElementForms& forms) 
     forms.jacobian[at(term.target)] += term.weight * cross(a, b);
     forms.squares[at(term.target)] += term.weight * (dot(a, c - b) + dot(d, b));
   }
-  // Components are below 2, so each product below 16; a coefficient is a sum of `most_terms` of them whose weights sum
-  // to p^2, each carrying some ten roundings of 2^-53.
-  forms.error = (table.most_terms + 10) * 0x1p-53 * 16 * degree * degree;
 }
 
 }  // namespace pliant

@@ -5,18 +5,19 @@
 
 #include "pliant/geometry/net_layout.h"
 #include "pliant/geometry/point.h"
+#include "pliant/geometry/validity.h"
 
 namespace pliant {
 
 inline constexpr int max_form_size = net_size(2 * (max_degree - 1));
 
 /// Bernstein coefficients, of degree 2(p - 1) and in the order of NetLayout, of the two forms that tau is the ratio of,
-/// for the element divided by 2^exponent. With a and b the derivatives along (xi2, xi3):
+/// for the element divided by a power of two. With a and b the derivatives along (xi2, xi3):
 /// det J = a x b, and squares = |a|^2 - a.b + |b|^2, half the sum of the squared sides of the triangle a, b, b - a.
 /// tau = sqrt(3) det J / squares. The power of two keeps products of elements of any size from over- and underflowing.
 struct ElementForms {
   int degree = 0;         ///< of the forms
-  int exponent = 0;       ///< lengths are divided by 2^exponent
+  double unit = 1;        ///< lengths are divided by this power of two
   bool is_point = false;  ///< all control points coincide
   bool is_finite = true;  ///< false: differences of control points overflow, and nothing else here is set
   double error = 0;       ///< floating-point error bound of each coefficient of either form
@@ -25,6 +26,8 @@ struct ElementForms {
   int size() const { return net_size(degree); }
   /// Mean of the coefficients of det J: twice the signed area.
   double mean_jacobian() const;
+  /// det J, or an area, of the element itself; infinite where that overflows.
+  double unscaled(double area) const { return area * unit * unit; }
 };
 void element_forms(int degree, std::span<const Point> net, ElementForms& forms);
 
@@ -32,8 +35,14 @@ void element_forms(int degree, std::span<const Point> net, ElementForms& forms);
 double distortion(const ElementForms& forms);
 double curved_shape(const ElementForms& forms);
 double jacobian_peak(const ElementForms& forms);
-/// Also a guaranteed lower bound of min det J of the element itself (not divided by the power of two).
-double scaled_jacobian(int degree, std::span<const Point> net, const ElementForms& forms, double& least_jacobian);
+
+/// Guaranteed enclosures of the extrema of det J, scaled as the forms are, to `relative_width` of the largest
+/// coefficient. NaN where the forms are not finite.
+struct FormRange {
+  Bounds least, greatest;
+};
+FormRange jacobian_range(const ElementForms& forms, double relative_width);
+double scaled_jacobian(const ElementForms& forms, const FormRange& range);
 
 /// For each degree p, once: the triangles of the control net, as indices into it, counter-clockwise: first those that
 /// stand as the element does (its partial derivatives are their sides), in the order of NetLayout(p - 1), then those

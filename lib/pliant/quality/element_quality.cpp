@@ -8,9 +8,9 @@
 #include <numbers>
 
 #include "pliant/geometry/bernstein.h"
+#include "pliant/geometry/bernstein_range.h"
 #include "pliant/geometry/linear_triangle.h"
 #include "pliant/geometry/turning_angle.h"
-#include "pliant/geometry/validity.h"
 #include "pliant/quality/element_forms.h"
 
 namespace pliant {
@@ -18,6 +18,32 @@ namespace {
 
 constexpr std::size_t at(int n) { return static_cast<std::size_t>(n); }
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+double any_turning(int degree, std::span<const Point> net) {
+  const NetLayout& layout = NetLayout::of(degree);
+  std::array<Point, max_degree + 1> polygon;
+  double largest = 0;
+  for (int e = 0; e < 3; ++e) {
+    for (int k = 0; k <= degree; ++k) polygon[at(k)] = net[at(layout.edge_index(e, k))];
+    largest = std::max(largest, turning_angle(std::span(polygon).first(at(degree + 1))));
+  }
+  return largest;
+}
+
+/// One arc tangent serves three edges: (dot, |cross|) of the legs are vectors of the upper half-plane, and the one that
+/// stands to the left of the others has the largest angle.
+double quadratic_turning(std::span<const Point> net) {
+  Vector largest{1, 0};
+  for (std::size_t e = 0; e < 3; ++e) {
+    const Vector a = net[3 + e] - net[e], b = net[(e + 1) % 3] - net[3 + e];
+    Vector turn{dot(a, b), std::fabs(cross(a, b))};
+    const double size = std::fabs(turn.x) + turn.y;
+    if (!(size > 0 && std::isfinite(size))) return any_turning(2, net);  // a leg without length, or of extreme length
+    turn *= 1 / size;
+    if (cross(largest, turn) > 0 || (turn.y == 0 && turn.x < 0)) largest = turn;
+  }
+  return std::atan2(largest.y, largest.x);
+}
 
 }  // namespace
 
@@ -73,23 +99,26 @@ double shape_at(int degree, std::span<const Point> net, const Barycentric& xi) {
   return triangle_shape({0, 0}, along_2, along_3);
 }
 
-double scaled_jacobian(int degree, std::span<const Point> net, const ElementForms& forms, double& least_jacobian) {
-  least_jacobian = nan;
+FormRange jacobian_range(const ElementForms& forms, double relative_width) {
+  if (!forms.is_finite) return {{nan, nan}, {nan, nan}};
+  const auto coefficients = std::span<const double>(forms.jacobian).first(at(forms.size()));
+  double greatest = 0;
+  for (const double c : coefficients) greatest = std::max(greatest, std::fabs(c));
+  const double width = relative_width * greatest;
+  return {enclose_minimum(forms.degree, coefficients, forms.error, width),
+          enclose_maximum(forms.degree, coefficients, forms.error, width)};
+}
+
+double scaled_jacobian(const ElementForms& forms, const FormRange& range) {
   if (!forms.is_finite) return nan;
-  std::array<Point, net_size(max_degree)> scaled;  // so that det J neither overflows nor underflows
-  const double scale = std::ldexp(1.0, -forms.exponent);
-  for (std::size_t n = 0; n < at(net_size(degree)); ++n) scaled[n] = scale * net[n];
-  const auto [least, greatest] = jacobian_range(degree, std::span(scaled).first(at(net_size(degree))));
-  least_jacobian = std::ldexp(least.lower, 2 * forms.exponent);
-  const double size = std::max(std::fabs(least.lower), std::fabs(greatest.upper));
-  return size > 4 * forms.error ? least.lower / size : 0;
+  const double size = std::max(std::fabs(range.least.lower), std::fabs(range.greatest.upper));
+  return size > 4 * forms.error ? range.least.lower / size : 0;
 }
 
 double scaled_jacobian(int degree, std::span<const Point> net) {
   ElementForms forms;
   element_forms(degree, net, forms);
-  double least_jacobian;
-  return scaled_jacobian(degree, net, forms, least_jacobian);
+  return scaled_jacobian(forms, jacobian_range(forms, 1e-3));
 }
 
 double control_shape(int degree, std::span<const Point> net) {
@@ -100,14 +129,7 @@ double control_shape(int degree, std::span<const Point> net) {
 }
 
 double element_turning(int degree, std::span<const Point> net) {
-  const NetLayout& layout = NetLayout::of(degree);
-  std::array<Point, max_degree + 1> polygon;
-  double largest = 0;
-  for (int e = 0; e < 3; ++e) {
-    for (int k = 0; k <= degree; ++k) polygon[at(k)] = net[at(layout.edge_index(e, k))];
-    largest = std::max(largest, turning_angle(std::span(polygon).first(at(degree + 1))));
-  }
-  return largest;
+  return degree == 2 ? quadratic_turning(net) : any_turning(degree, net);
 }
 
 double curvature_excess(int degree, std::span<const Point> net, const CurvatureBounds& bounds) {

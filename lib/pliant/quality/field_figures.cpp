@@ -33,17 +33,17 @@ std::vector<double> mixed_mass(int degree) {
 }
 
 /// The integrals of the basis functions over each chosen element.
-std::vector<double> basis_integrals(const MeshData& data, const std::vector<bool>& is_chosen) {
+std::vector<double> basis_integrals(const MeshData& data, std::span<const TriangleId> chosen) {
   const std::size_t n = at(net_size(data.degree)), m = at(net_size(jacobian_degree(data.degree)));
   const std::vector<double> mass = mixed_mass(data.degree);
-  std::vector<double> result(n * is_chosen.size()), coefficients(m);
+  std::vector<double> result(n * chosen.size()), coefficients(m);
   std::vector<Point> net(n);
-  for (std::size_t t = 0; t < is_chosen.size(); ++t) {
-    if (!is_chosen[t]) continue;
-    for (std::size_t k = 0; k < n; ++k) net[k] = data.points[static_cast<std::size_t>(data.triangles[t * n + k])];
+  for (std::size_t c = 0; c < chosen.size(); ++c) {
+    const PointId* ids = &data.triangles[at(chosen[c]) * n];
+    for (std::size_t k = 0; k < n; ++k) net[k] = data.points[at(ids[k])];
     jacobian_net(data.degree, net, coefficients);
     for (std::size_t k = 0; k < n; ++k)
-      for (std::size_t j = 0; j < m; ++j) result[t * n + k] += mass[k * m + j] * coefficients[j];
+      for (std::size_t j = 0; j < m; ++j) result[c * n + k] += mass[k * m + j] * coefficients[j];
   }
   return result;
 }
@@ -73,20 +73,19 @@ class Rows {
 
 }  // namespace
 
-std::vector<FieldFigures> field_figures(const MeshData& data, const std::vector<bool>& is_chosen) {
+std::vector<FieldFigures> field_figures(const MeshData& data, std::span<const TriangleId> chosen) {
   std::vector<FieldFigures> result;
   if (data.fields.empty()) return result;
   const std::size_t n = at(net_size(data.degree));
-  const std::vector<double> weights = basis_integrals(data, is_chosen);
+  const std::vector<double> weights = basis_integrals(data, chosen);
   for (const Field& field : data.fields) {
     const std::size_t components = at(field.components);
     FieldFigures figures{field.name, std::vector<double>(components, HUGE_VAL),
                          std::vector<double>(components, -HUGE_VAL), std::vector<double>(components, 0.0)};
     const Rows rows(field);
     for (std::size_t k = 0; k < weights.size(); ++k) {
-      const std::size_t t = k / n;
-      if (!is_chosen[t]) continue;
-      const std::size_t row = rows.find(data.triangles[k], data.triangle_faces[t]);
+      const std::size_t t = at(chosen[k / n]);
+      const std::size_t row = rows.find(data.triangles[t * n + k % n], data.triangle_faces[t]);
       for (std::size_t c = 0; c < components; ++c) {
         const double value = row == Rows::npos ? nan : field.values[row * components + c];
         figures.integral[c] += weights[k] * value;

@@ -1,4 +1,5 @@
 #pragma once  // lib/pliant/quality/field_figures.h: range and integral of every carried field (private to this layer)
+#include <span>
 #include <vector>
 
 #include "pliant/mesh/mesh_data.h"
@@ -7,6 +8,6 @@
 namespace pliant {
 
 /// Over the chosen triangles. The integral is that of the polynomial f det J: exact to rounding.
-std::vector<FieldFigures> field_figures(const MeshData& data, const std::vector<bool>& is_chosen);
+std::vector<FieldFigures> field_figures(const MeshData& data, std::span<const TriangleId> chosen);
 
 }  // namespace pliant

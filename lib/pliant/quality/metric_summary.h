@@ -1,6 +1,5 @@
 #pragma once  // lib/pliant/quality/metric_summary.h: from a column of values to its summary (private to this layer)
-#include <string>
-#include <vector>
+#include <span>
 
 #include "pliant/quality/quality_report.h"
 
@@ -15,6 +14,7 @@ struct MetricSpec {
 /// The metrics in the order of the report.
 enum Metric {
   jacobian_metric,
+  jacobian_max_metric,
   scaled_jacobian_metric,
   shape_metric,
   logical_tau_metric,
@@ -28,16 +28,9 @@ enum Metric {
 };
 const MetricSpec& metric_spec(int metric);
 
-/// The values of one metric, each of a triangle.
-struct MetricColumn {
-  std::vector<double> values;  ///< NaN: does not exist
-  std::vector<TriangleId> triangles;
-  void add(TriangleId t, double value) {
-    values.push_back(value);
-    triangles.push_back(t);
-  }
-};
-/// All but the places of the worst. A fixed range of the histogram is widened where values lie outside it.
-MetricSummary summarise(const MetricSpec& spec, const MetricColumn& column, int bins, int worst);
+/// The summary of these values (NaN: does not exist), but for where the worst are: `triangle` is the place of the value
+/// in the column, and of equal ones the first is the worst. A fixed range of the histogram is widened where values lie
+/// outside it.
+MetricSummary summarise(const MetricSpec& spec, std::span<const double> values, int bins, int worst);
 
 }  // namespace pliant

@@ -1,27 +1,25 @@
 #include "pliant/quality/quality_report.h"  // lib/pliant/quality/quality_report.cpp: gathers the figures
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
-#include <numbers>
-#include <set>
+#include <iterator>
 #include <stdexcept>
 
-#include "pliant/geometry/jacobian.h"
-#include "pliant/geometry/linear_triangle.h"
+#include "pliant/geometry/net_layout.h"
 #include "pliant/mesh/check_mesh.h"
-#include "pliant/quality/crossing_edges.h"
-#include "pliant/quality/edge_table.h"
-#include "pliant/quality/element_forms.h"
-#include "pliant/quality/element_quality.h"
+#include "pliant/mesh/edge_uses.h"
+#include "pliant/quality/duplicates.h"
+#include "pliant/quality/edge_curves.h"
+#include "pliant/quality/element_measures.h"
 #include "pliant/quality/field_figures.h"
 #include "pliant/quality/metric_summary.h"
+#include "pliant/quality/overlaps.h"
 #include "pliant/quality/tangent_jump.h"
 
 namespace pliant {
 namespace {
-
-constexpr double degrees = 180 / std::numbers::pi;
 
 template <class I>
 constexpr std::size_t at(I i) {
@@ -45,166 +43,175 @@ class Reporter {
         options_(options),
         n_(at(net_size(data.degree))),
         is_face_chosen_(chosen_faces(data.boundary, options.faces)),
-        is_chosen_(data.triangle_faces.size()),
-        columns_(metric_count),
-        net_(n_) {
-    for (std::size_t t = 0; t < is_chosen_.size(); ++t) is_chosen_[t] = is_face_chosen_[at(data.triangle_faces[t])];
+        columns_(metric_count) {
+    for (std::size_t t = 0; t < data.triangle_faces.size(); ++t)
+      if (is_face_chosen_[at(data.triangle_faces[t])]) chosen_.push_back(static_cast<TriangleId>(t));
   }
 
   QualityReport run(ElementFigures* elements) {
     report_.degree = data_.degree;
     report_.time = data_.time;
-    report_.faults = check_structure(data_);
+    const EdgeUses uses = edge_uses(data_);
+    report_.faults = check_structure(data_, uses);
     report_.tangent_jump = tangent_jump(data_);
-    report_.overlaps = count_overlaps();
+    Overlaps overlaps = find_overlaps(data_, uses, options_.worst);
+    report_.overlaps = overlaps.count;
+    report_.overlap_places = std::move(overlaps.places);
     count_points();
-    list_invalid();
-    measure_elements();
-    measure_edges();
-    if (elements != nullptr) list_elements(*elements);
-    report_.fields = field_figures(data_, is_chosen_);
+    assign_edges(uses);
+    measure_elements(elements != nullptr);
+    report_.fields = field_figures(data_, chosen_);
     for (int m = 0; m < metric_count; ++m) {
-      report_.metrics.push_back(summarise(metric_spec(m), columns_[at(m)], options_.bins, options_.worst));
-      for (WorstElement& worst : report_.metrics.back().worst) worst.centroid = barycentre(worst.triangle);
+      MetricSummary summary = summarise(metric_spec(m), columns_[at(m)], options_.bins, options_.worst);
+      for (WorstElement& worst : summary.worst) {
+        const auto place = at(worst.triangle);
+        worst.triangle = m == edge_length_metric ? edge_triangles_[place] : chosen_[place];
+        worst.centroid = barycentre(worst.triangle);
+      }
+      report_.metrics.push_back(std::move(summary));
     }
     for (std::size_t f = 0; f < figures_.size(); ++f)
       if (is_face_chosen_[f]) report_.faces.push_back(figures_[f]);
+    if (elements != nullptr) *elements = list_elements();
     return std::move(report_);
   }
 
  private:
-  void gather(std::size_t t) {
-    for (std::size_t k = 0; k < n_; ++k) net_[k] = data_.points[at(data_.triangles[t * n_ + k])];
+  bool is_chosen(TriangleId t) const { return is_face_chosen_[at(data_.triangle_faces[at(t)])]; }
+
+  std::span<const Point> gather(TriangleId t) {
+    for (std::size_t k = 0; k < n_; ++k) net_[k] = data_.points[at(data_.triangles[at(t) * n_ + k])];
+    return std::span<const Point>(net_).first(n_);
   }
 
   void count_points() {
     enum : char { unused, control_point, vertex };
-    std::vector<char> use(data_.points.size(), unused);
-    for (std::size_t t = 0; t < is_chosen_.size(); ++t) {
-      for (std::size_t k = 0; is_chosen_[t] && k < n_; ++k) {
-        char& of_point = use[at(data_.triangles[t * n_ + k])];
-        of_point = std::max(of_point, k < 3 ? char{vertex} : char{control_point});
+    const auto uses_in = [this](auto&& is_wanted) {
+      std::vector<char> use(data_.points.size(), unused);
+      for (std::size_t t = 0; t < data_.triangle_faces.size(); ++t) {
+        if (!is_wanted(static_cast<TriangleId>(t))) continue;
+        const PointId* net = &data_.triangles[t * n_];
+        for (std::size_t k = 3; k < n_; ++k) use[at(net[k])] = std::max(use[at(net[k])], char{control_point});
+        for (std::size_t k = 0; k < 3; ++k) use[at(net[k])] = vertex;
       }
-    }
-    report_.vertices = std::ranges::count(use, char{vertex});
-    report_.control_points = std::ranges::count_if(use, [](char u) { return u != unused; });
-  }
-
-  void list_invalid() {
-    const InvalidElements found = find_invalid(data_);
-    const auto list = [this](const std::vector<TriangleId>& all, std::int64_t& count, std::vector<TriangleId>& shown) {
-      for (const TriangleId t : all)
-        if (is_chosen_[at(t)] && ++count <= options_.worst) shown.push_back(t);
+      return use;
     };
-    list(found.invalid, report_.invalid, report_.invalid_elements);
-    list(found.degenerate, report_.degenerate, report_.degenerate_elements);
+    std::vector<char> use = uses_in([](TriangleId) { return true; });
+    report_.unused_points = std::ranges::count(use, char{unused});
+    report_.duplicate_points = count_duplicates(data_.points, use, char{vertex});
+    if (chosen_.size() < data_.triangle_faces.size()) use = uses_in([this](TriangleId t) { return is_chosen(t); });
+    report_.vertices = std::ranges::count(use, char{vertex});
+    report_.control_points = std::ssize(use) - std::ranges::count(use, char{unused});
   }
 
-  void measure_elements() {
-    for (const Face& face : data_.boundary.faces) figures_.push_back({face.name});
-    ElementForms forms;
-    for (std::size_t t = 0; t < is_chosen_.size(); ++t) {
-      if (!is_chosen_[t]) continue;
-      gather(t);
-      const auto id = static_cast<TriangleId>(t);
-      const auto add = [&](Metric metric, double value) { columns_[metric].add(id, value); };
-      element_forms(data_.degree, net_, forms);
-      double least_jacobian = 0;
-      const double scaled = scaled_jacobian(data_.degree, net_, forms, least_jacobian);
-      const double area = element_area(data_.degree, net_);
-      add(jacobian_metric, least_jacobian);
-      add(scaled_jacobian_metric, scaled);
-      add(shape_metric, curved_shape(forms));
-      add(logical_tau_metric, triangle_shape(net_[0], net_[1], net_[2]));
-      add(control_tau_metric, control_shape(data_.degree, net_));
-      add(distortion_metric, distortion(forms));
-      add(logical_angle_metric, degrees * least_angle(net_[0], net_[1], net_[2]));
-      add(turning_angle_metric, degrees * element_turning(data_.degree, net_));
-      add(element_area_metric, area);
-      FaceFigures& figures = figures_[at(data_.triangle_faces[t])];
-      ++figures.triangles;
-      figures.area += area;
-      ++report_.triangles;
-      report_.area += area;
-    }
-  }
+  /// What the length of a half-edge's curve counts for.
+  enum EdgeRole : char { no_role = 0, of_edge = 1, of_perimeter = 2 };
 
-  void measure_edges() {
-    const EdgeUses uses = edge_uses(data_, is_chosen_);
+  /// Every edge is one entry of its metric, at the first chosen triangle that has it; on the perimeter of a face are
+  /// those that only one of its triangles has.
+  void assign_edges(const EdgeUses& uses) {
+    roles_.assign(uses.half_edges.size(), no_role);
+    std::int64_t count = 0;
     for (std::size_t e = 0; e < uses.count(); ++e) {
       const auto half_edges = uses.of(e);
-      const double length = curve_length(edge_polygon(data_, half_edges.front()));
-      columns_[edge_length_metric].add(triangle_of(half_edges.front()), length);
+      const auto first = std::ranges::find_if(half_edges, [&](HalfEdgeId h) { return is_chosen(triangle_of(h)); });
+      if (first == half_edges.end()) continue;
+      ++count;
+      roles_[at(*first)] = of_edge;
       for (const HalfEdgeId h : half_edges) {
-        const FaceId face = data_.triangle_faces[at(triangle_of(h))];
-        const auto same = [&](HalfEdgeId g) { return data_.triangle_faces[at(triangle_of(g))] == face; };
-        if (std::ranges::count_if(half_edges, same) == 1) figures_[at(face)].perimeter += length;
+        const auto same_face = [&](HalfEdgeId g) {
+          return data_.triangle_faces[at(triangle_of(g))] == data_.triangle_faces[at(triangle_of(h))];
+        };
+        if (std::ranges::count_if(half_edges, same_face) == 1) roles_[at(h)] |= of_perimeter;
       }
     }
+    columns_[edge_length_metric].reserve(at(count));
+    edge_triangles_.reserve(at(count));
   }
 
-  void list_elements(ElementFigures& elements) {
-    elements = {};
-    elements.triangles = columns_[element_area_metric].triangles;
-    const InvalidElements found = find_invalid(data_);
-    std::vector<Validity> validity(is_chosen_.size(), Validity::valid);
-    for (const TriangleId t : found.invalid) validity[at(t)] = Validity::invalid;
-    for (const TriangleId t : found.degenerate) validity[at(t)] = Validity::degenerate;
-    std::vector<double> greatest, shortest, longest;
-    for (const TriangleId t : elements.triangles) {
-      elements.validity.push_back(validity[at(t)]);
-      gather(at(t));
-      greatest.push_back(jacobian_range(data_.degree, net_).greatest.upper);
-      double least = HUGE_VAL, most = 0;
-      for (int e = 0; e < 3; ++e) {
-        const double length = curve_length(edge_polygon(data_, half_edge(t, e)));
-        least = std::min(least, length);
-        most = std::max(most, length);
-      }
-      shortest.push_back(least);
-      longest.push_back(most);
+  void measure_elements(bool all_edges) {
+    for (const Face& face : data_.boundary.faces) figures_.push_back({face.name});
+    for (int m = 0; m < metric_count; ++m)
+      if (m != edge_length_metric) columns_[at(m)].resize(chosen_.size());
+    validity_.resize(chosen_.size());
+    const auto most_listed = static_cast<std::int64_t>(std::max(options_.worst, 0));
+    for (std::size_t k = 0; k < chosen_.size(); ++k) {
+      const TriangleId t = chosen_[k];
+      const std::span<const Point> net = gather(t);
+      const ElementMeasures measures = measure_element(data_.boundary, data_.degree, net, options_.jacobian_width);
+      columns_[jacobian_metric][k] = measures.jacobian;
+      columns_[jacobian_max_metric][k] = measures.jacobian_max;
+      columns_[scaled_jacobian_metric][k] = measures.scaled_jacobian;
+      columns_[shape_metric][k] = measures.shape;
+      columns_[logical_tau_metric][k] = measures.logical_tau;
+      columns_[control_tau_metric][k] = measures.control_tau;
+      columns_[distortion_metric][k] = measures.distortion;
+      columns_[logical_angle_metric][k] = measures.logical_angle;
+      columns_[turning_angle_metric][k] = measures.turning_angle;
+      columns_[element_area_metric][k] = measures.area;
+      validity_[k] = measures.validity;
+      if (measures.validity == Validity::invalid && report_.invalid++ < most_listed)
+        report_.invalid_elements.push_back(t);
+      if (measures.validity == Validity::degenerate && report_.degenerate++ < most_listed)
+        report_.degenerate_elements.push_back(t);
+      FaceFigures& figures = figures_[at(data_.triangle_faces[at(t)])];
+      ++figures.triangles;
+      figures.area += measures.area;
+      report_.area += measures.area;
+      measure_edges(t, net, figures, all_edges);
     }
+    report_.triangles = std::ssize(chosen_);
+  }
+
+  void measure_edges(TriangleId t, std::span<const Point> net, FaceFigures& figures, bool all_edges) {
+    double shortest = HUGE_VAL, longest = 0;
+    for (int e = 0; e < 3; ++e) {
+      const char role = roles_[at(half_edge(t, e))];
+      if (role == no_role && !all_edges) continue;
+      const double length = edge_length(data_.degree, net, e);
+      shortest = std::min(shortest, length);
+      longest = std::max(longest, length);
+      if ((role & of_perimeter) != 0) figures.perimeter += length;
+      if ((role & of_edge) == 0) continue;
+      columns_[edge_length_metric].push_back(length);
+      edge_triangles_.push_back(t);
+    }
+    if (!all_edges) return;
+    shortest_.push_back(shortest);
+    longest_.push_back(longest);
+  }
+
+  ElementFigures list_elements() {
+    ElementFigures elements{chosen_, validity_, {}};
     for (int m = 0; m < metric_count; ++m) {
       const MetricSpec& spec = metric_spec(m);
-      elements.columns.push_back(
-          {spec.name, spec.worst_is_least, m == edge_length_metric ? shortest : columns_[at(m)].values});
-      if (m == jacobian_metric) elements.columns.push_back({"jacobian_max", false, greatest});
-      if (m == edge_length_metric) elements.columns.push_back({"edge_length_max", false, longest});
+      const bool is_length = m == edge_length_metric;
+      elements.columns.push_back({spec.name, spec.worst_is_least, std::move(is_length ? shortest_ : columns_[at(m)])});
+      if (is_length) elements.columns.push_back({"edge_length_max", false, std::move(longest_)});
     }
-  }
-
-  /// Constrained edges, and what else has one triangle only.
-  std::int64_t count_overlaps() const {
-    EdgeCurves edges;
-    edges.degree = data_.degree;
-    std::set<std::pair<PointId, PointId>> seen;
-    const auto add = [&](const std::vector<PointId>& ids) {
-      if (!seen.insert(std::minmax(ids.front(), ids.back())).second) return;
-      edges.ends.emplace_back(ids.front(), ids.back());
-      for (const PointId p : ids) edges.points.push_back(data_.points[at(p)]);
-    };
-    for (const ConstrainedEdge& edge : data_.constrained_edges) add(edge.points);
-    const EdgeUses uses = edge_uses(data_, std::vector<bool>(is_chosen_.size(), true));
-    for (std::size_t e = 0; e < uses.count(); ++e)
-      if (uses.of(e).size() == 1) add(edge_ids(data_, uses.of(e).front()));
-    return count_crossings(edges);
+    return elements;
   }
 
   Point barycentre(TriangleId t) {
-    gather(at(t));
+    const std::span<const Point> net = gather(t);
     const NetLayout& layout = NetLayout::of(data_.degree);
     Point sum;
-    for (int k = 0; k < layout.size(); ++k) sum += layout.multinomial(k) * net_[at(k)];
+    for (int k = 0; k < layout.size(); ++k) sum += layout.multinomial(k) * net[at(k)];
     return sum / std::pow(3, data_.degree);
   }
 
   const MeshData& data_;
   const QualityOptions& options_;
   std::size_t n_;
-  std::vector<bool> is_face_chosen_, is_chosen_;
+  std::vector<bool> is_face_chosen_;
+  std::vector<TriangleId> chosen_;
   std::vector<FaceFigures> figures_;
-  std::vector<MetricColumn> columns_;
-  std::vector<Point> net_;
+  std::vector<std::vector<double>> columns_;  // by metric; of edge lengths an entry an edge, of all else an element
+  std::vector<Validity> validity_;
+  std::vector<char> roles_;                 // of half-edges
+  std::vector<TriangleId> edge_triangles_;  // of the entries of edge_length
+  std::vector<double> shortest_, longest_;  // edge of each chosen element, if asked for
+  std::array<Point, net_size(max_degree)> net_;
   QualityReport report_;
 };
 

@@ -25,6 +25,12 @@ struct MetricSummary {
   std::vector<std::int64_t> histogram;  ///< equal bins; the last one holds its upper end, too
   std::vector<WorstElement> worst;      ///< worst first; for lengths and areas the smallest, for turning the largest
 };
+/// Where the mesh lies over itself.
+struct OverlapPlace {
+  TriangleId first;   ///< with an edge that crosses or touches one of `second`, or beside which the mesh lies on itself
+  TriangleId second;  ///< or none
+  Point place;
+};
 struct FaceFigures {
   std::string name;
   std::int64_t triangles = 0;
@@ -43,24 +49,32 @@ struct QualityReport {
   double time = 0, area = 0;
   std::int64_t invalid = 0, degenerate = 0;
   std::vector<TriangleId> invalid_elements, degenerate_elements;  ///< the first `worst` of each
-  std::int64_t overlaps = 0;  ///< pairs of boundary edges that meet elsewhere than at a common vertex
+  /// Pairs of boundary edges that meet elsewhere than at a common vertex (at most a million are counted), and boundary
+  /// loops whose inner side is not covered just once.
+  std::int64_t overlaps = 0;
+  std::vector<OverlapPlace> overlap_places;  ///< the first `worst`
+  std::int64_t duplicate_points = 0;         ///< vertices at the very place of another one
+  std::int64_t unused_points = 0;            ///< of the document, in no triangle
   std::vector<Fault> faults;
   /// Largest angle (radians) between one-sided tangents at knots of multiplicity < p, of splines and of mesh edges.
   std::optional<double> tangent_jump;
   std::vector<FaceFigures> faces;
   std::vector<FieldFigures> fields;
-  /// jacobian (least det J), scaled_jacobian, shape, logical_tau, control_tau, distortion, logical_angle (the least),
-  /// turning_angle (the largest), edge_length (a value an edge), element_area, in this order.
+  /// jacobian (least det J), jacobian_max (largest), scaled_jacobian, shape, logical_tau, control_tau, distortion,
+  /// logical_angle (the least), turning_angle (the largest), edge_length (a value an edge), element_area, in this
+  /// order.
   std::vector<MetricSummary> metrics;
 };
 struct QualityOptions {
   int worst = 5;
   int bins = 20;                   ///< 0: no histograms
   std::vector<std::string> faces;  ///< audit these faces only; empty: all
+  double jacobian_width = 1e-3;    ///< of the enclosures of min and max det J, relative to its largest coefficient
 };
 
 /// Every metric of the document, which need not satisfy M1–M6: only its arrays must be well-formed (check_arrays).
-/// Faults, overlaps, tangent jump and time are of the whole document, all else of the chosen faces.
+/// Faults, overlaps, duplicate and unused points, tangent jump and time are of the whole document, all else of the
+/// chosen faces.
 ///
 /// With `elements` also the measures of every chosen element.
 ///

@@ -1,0 +1,171 @@
+#include "pliant/quality/overlaps.h"  // lib/pliant/quality/overlaps.cpp: crossings, and winding numbers by horizontal rays
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <utility>
+
+#include "pliant/geometry/bernstein.h"
+#include "pliant/geometry/net_layout.h"
+#include "pliant/quality/crossing_edges.h"
+#include "pliant/quality/edge_curves.h"
+#include "pliant/quality/strips.h"
+
+namespace pliant {
+namespace {
+
+template <class I>
+constexpr std::size_t at(I i) {
+  return static_cast<std::size_t>(i);
+}
+
+using Polygon = std::array<Point, max_degree + 1>;
+
+/// How often the curve crosses the ray from `from` to the right, upwards less downwards. A point at the height of the
+/// ray counts as below it, so that curves that share an end there agree.
+int crossings_to_the_right(std::span<const Point> polygon, const Point& from, int depth = 0) {
+  Box box;
+  for (const Point& p : polygon) box.extend(p);
+  if (box.low.y > from.y || box.high.y <= from.y || box.high.x < from.x) return 0;
+  constexpr int greatest_depth = 60;
+  if (box.low.x > from.x || depth == greatest_depth)
+    return (polygon.back().y > from.y ? 1 : 0) - (polygon.front().y > from.y ? 1 : 0);
+  Polygon left, right;
+  const std::size_t n = polygon.size();
+  std::ranges::copy(polygon, right.begin());
+  left[0] = right[0];
+  for (std::size_t level = 1; level < n; ++level) {
+    for (std::size_t k = 0; k + level < n; ++k) right[k] = 0.5 * (right[k] + right[k + 1]);
+    left[level] = right[0];
+  }
+  return crossings_to_the_right(std::span<const Point>(left).first(n), from, depth + 1) +
+         crossings_to_the_right(std::span<const Point>(right).first(n), from, depth + 1);
+}
+
+class OverlapSearch {
+ public:
+  OverlapSearch(const MeshData& data, const EdgeUses& uses, int most)
+      : data_(data), uses_(uses), most_(at(std::max(most, 0))) {}
+
+  Overlaps run() {
+    for (std::size_t e = 0; e < uses_.count(); ++e)
+      if (uses_.of(e).size() == 1) outer_.push_back(uses_.of(e)[0]);
+    find_crossing_edges();
+    find_covered_loops();
+    return std::move(result_);
+  }
+
+ private:
+  void add(const OverlapPlace& place) {
+    ++result_.count;
+    if (result_.places.size() < most_) result_.places.push_back(place);
+  }
+
+  void find_crossing_edges() {
+    EdgeCurves edges;
+    edges.degree = data_.degree;
+    std::vector<HalfEdgeId> half_edges;
+    const auto add_edge = [&](std::span<const PointId> ids, HalfEdgeId h) {
+      edges.ends.emplace_back(ids.front(), ids.back());
+      for (const PointId p : ids) edges.points.push_back(data_.points[at(p)]);
+      half_edges.push_back(h);
+    };
+    std::vector<std::pair<PointId, PointId>> listed;
+    for (const ConstrainedEdge& edge : data_.constrained_edges) {
+      const auto around = uses_.between(data_, edge.points.front(), edge.points.back());
+      listed.push_back(std::minmax(edge.points.front(), edge.points.back()));
+      add_edge(edge.points, around.empty() ? none : around[0]);
+    }
+    std::ranges::sort(listed);
+    for (const HalfEdgeId h : outer_) {
+      const std::vector<PointId> ids = edge_ids(data_, h);
+      const std::pair<PointId, PointId> ends = std::minmax(ids.front(), ids.back());
+      if (!std::ranges::binary_search(listed, ends)) add_edge(ids, h);
+    }
+    const auto triangle = [](HalfEdgeId h) { return h == none ? none : triangle_of(h); };
+    for (const Crossing& crossing : find_crossings(edges)) {
+      const HalfEdgeId a = half_edges[crossing.first], b = half_edges[crossing.second];
+      add({triangle(a), triangle(b), crossing.place});
+      crossing_.insert(crossing_.end(), {a, b});
+    }
+    std::ranges::sort(crossing_);
+  }
+
+  /// The boundary half-edge behind h around the half-disk at its end; none where the document is no manifold there.
+  HalfEdgeId next_on_loop(HalfEdgeId h) {
+    HalfEdgeId g = next(h);
+    for (; budget_ > 0; --budget_) {
+      const auto [from, to] = ends_of(g);
+      const auto around = uses_.between(data_, from, to);
+      if (around.size() == 1) return g;
+      if (around.size() != 2) return none;
+      g = next(around[0] == g ? around[1] : around[0]);
+    }
+    return none;
+  }
+  std::pair<PointId, PointId> ends_of(HalfEdgeId h) const {
+    const PointId* corners = &data_.triangles[at(triangle_of(h)) * at(net_size(data_.degree))];
+    return {corners[edge_of(h)], corners[edge_of(next(h))]};
+  }
+
+  /// A point of the element just inside the middle of the half-edge.
+  Point point_beside(HalfEdgeId h) const {
+    constexpr double inside = 0x1p-10;
+    Barycentric xi;
+    xi[at(edge_of(h))] = xi[at(edge_of(next(h)))] = 0.5 - inside / 2;
+    xi[at(edge_of(previous(h)))] = inside;
+    std::array<double, net_size(max_degree)> basis;
+    bernstein_basis(data_.degree, xi, basis);
+    Point sum;
+    const std::size_t n = at(net_size(data_.degree));
+    for (std::size_t k = 0; k < n; ++k) sum += basis[k] * data_.points[at(data_.triangles[at(triangle_of(h)) * n + k])];
+    return sum;
+  }
+
+  void find_covered_loops() {
+    const std::size_t n = at(data_.degree) + 1;
+    std::vector<Point> polygons(outer_.size() * n);
+    std::vector<Box> boxes(outer_.size());
+    for (std::size_t k = 0; k < outer_.size(); ++k) {
+      const std::span<Point> polygon = std::span(polygons).subspan(k * n, n);
+      edge_polygon(data_, outer_[k], polygon);
+      for (const Point& p : polygon) boxes[k].extend(p);
+    }
+    const Strips strips(boxes);
+    std::map<HalfEdgeId, bool> is_passed;  // outer half-edges, whether their loop is done
+    for (const HalfEdgeId h : outer_) is_passed.emplace_hint(is_passed.end(), h, false);
+    budget_ = static_cast<std::int64_t>(uses_.half_edges.size());
+    for (const HalfEdgeId start : outer_) {
+      if (is_passed[start]) continue;
+      bool crosses = false;  // then the covering changes along the loop
+      for (HalfEdgeId h = start; h != none && !is_passed[h]; h = next_on_loop(h)) {
+        is_passed[h] = true;
+        crosses = crosses || std::ranges::binary_search(crossing_, h);
+      }
+      if (crosses) continue;
+      const Point place = point_beside(start);
+      int cover = 0;
+      for (const std::size_t k : strips.at(place.y))
+        cover += crossings_to_the_right(std::span<const Point>(polygons).subspan(k * n, n), place);
+      if (cover != 1) add({triangle_of(start), none, place});
+    }
+  }
+
+  const MeshData& data_;
+  const EdgeUses& uses_;
+  std::size_t most_;
+  std::vector<HalfEdgeId> outer_;     // half-edges without another triangle, by the order of the edges
+  std::vector<HalfEdgeId> crossing_;  // of edges that cross others, sorted
+  std::int64_t budget_ = 0;           // of steps around vertices, for what is no manifold may never end
+  Overlaps result_;
+};
+
+}  // namespace
+
+Overlaps find_overlaps(const MeshData& data, const EdgeUses& uses, int most) {
+  return OverlapSearch(data, uses, most).run();
+}
+
+}  // namespace pliant
