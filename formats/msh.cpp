@@ -41,6 +41,8 @@ class Import {
     for (std::string& text : trace_curves(file_, edges, mesh())) warn(std::move(text));
     warn_of_the_rest();
     result_.elements = std::move(file_.triangle_tags);
+    std::uint64_t next_tag = file_.tags.highest() + 1;
+    while (result_.nodes.size() < mesh().points.size()) result_.nodes.add(next_tag++);
     return std::move(result_);
   }
 
@@ -208,12 +210,15 @@ class Import {
 
   /// Nodes of no triangle: points of the geometry, of other elements.
   void drop_unused(const PointUses& uses) {
+    result_.nodes = file_.tags.all();
     if (std::find(uses.begin(), uses.end(), unused_point) == uses.end()) return;
+    result_.nodes = {};
     std::vector<PointId> number(uses.size(), none);
     std::size_t kept = 0;
     for (std::size_t p = 0; p < uses.size(); ++p) {
       if (uses[p] == unused_point) continue;
       number[p] = static_cast<PointId>(kept);
+      if (p < file_.tags.size()) result_.nodes.add(file_.tags.tag_of(static_cast<PointId>(p)));
       mesh().points[kept++] = mesh().points[p];
     }
     mesh().points.resize(kept);

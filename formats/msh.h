@@ -31,7 +31,7 @@ class TagRuns {
   };
   const std::vector<Run>& runs() const { return runs_; }
   std::size_t size() const { return count_; }
-  /// The tag of thing number `index`.   Complexity O(log runs)
+  /// The tag of thing number `index`, which must exist.   Complexity O(log runs)
   std::uint64_t tag_of(std::size_t index) const;
 
  private:
@@ -48,6 +48,7 @@ struct MshImport {
   MeshData mesh;
   std::vector<std::string> warnings;  ///< what was left out or looks wrong, a sentence each
   TagRuns elements;                   ///< Gmsh's tag of each triangle
+  TagRuns nodes;                      ///< and of each point; of those that elevation made the first free ones
 };
 
 /// Does a file that starts like this claim to be in MSH format?
@@ -63,5 +64,9 @@ inline constexpr std::string_view msh_magic = "$MeshFormat";
 /// Throws      InputError with "line N" (text) or "byte N" (binary) in place of a pointer
 /// Complexity  O(bytes); never allocates more than a small multiple of the file's size
 MshImport read_msh(std::string_view bytes, const MshOptions& options = {});
+
+/// A fault of the mesh in the words of the file it was read from: triangles and points of its place and text become
+/// elements and nodes by their tags.
+Fault in_msh_words(const MshImport& import, const Fault& fault);
 
 }  // namespace pliant

@@ -42,6 +42,8 @@ class MshNodeTags {
   /// All are there. The tag that two nodes have, if any.
   const std::uint64_t* prepare();
   std::size_t size() const { return tags_.size(); }
+  const TagRuns& all() const { return tags_; }
+  std::uint64_t highest() const;
   std::uint64_t tag_of(PointId node) const { return tags_.tag_of(static_cast<std::size_t>(node)); }
   /// The node with this tag, or none.
   PointId find(std::uint64_t tag) const {

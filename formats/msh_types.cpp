@@ -142,6 +142,11 @@ const std::uint64_t* MshNodeTags::prepare() {
   return nullptr;
 }
 
+std::uint64_t MshNodeTags::highest() const {
+  if (tags_.size() == 0) return 0;
+  return is_one_run_ ? lowest_ + tags_.size() - 1 : ranges_.back().last;
+}
+
 PointId MshNodeTags::search(std::uint64_t tag) const {
   const auto behind = std::upper_bound(ranges_.begin(), ranges_.end(), tag,
                                        [](std::uint64_t wanted, const Range& range) { return wanted < range.tag; });

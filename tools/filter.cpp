@@ -60,9 +60,8 @@ struct Closer {
   void operator()(std::FILE* file) const { std::fclose(file); }
 };
 
-void for_each_document(const ToolOptions& options,
-                       const std::function<void(std::string_view text, const Frame&)>& use,
-                       const std::function<void(std::string_view bytes, const Frame&)>& use_msh = {}) {
+void for_each_document(const ToolOptions& options, const std::function<void(std::string_view text, const Frame&)>& use,
+                       const std::function<void(std::string_view bytes, const Frame&)>& use_msh_file = {}) {
   std::unique_ptr<std::FILE, Closer> file;
   Frame frame;
   frame.source = "standard input";
@@ -72,9 +71,9 @@ void for_each_document(const ToolOptions& options,
     if (file == nullptr) throw std::system_error(errno, std::generic_category(), options.input);
   }
   DocumentStream stream(file == nullptr ? stdin : file.get(), frame.source);
-  if (use_msh) {
+  if (use_msh_file) {
     const std::string_view bytes = stream.all_if(msh_magic);
-    if (!bytes.empty()) return use_msh(bytes, frame);
+    if (!bytes.empty()) return use_msh_file(bytes, frame);
   }
   std::string_view document;
   while (stream.next(document)) {
@@ -82,18 +81,32 @@ void for_each_document(const ToolOptions& options,
     frame.line = stream.first_line();
     with_place(frame, [&] { use(document, frame); });
   }
-  if (stream.frame() < 0)
-    throw Placed(status::bad_input, frame.source + ":1: the input is empty; expected a JSON document");
+  if (stream.frame() < 0) throw Placed(status::bad_input, frame.source + ":1: the input is empty; expected a document");
 }
 
-/// The mesh of an MSH file; warnings go to standard error.
-MeshData import_msh(const ToolOptions& options, std::string_view bytes, const Frame& frame) {
+/// Says which triangles are which elements, in a few lines or not at all.
+void say_numbers(const ToolOptions& options, const Frame& frame, const TagRuns& elements) {
+  const std::vector<TagRuns::Run>& runs = elements.runs();
+  constexpr std::size_t most = 20;
+  for (std::size_t k = 0; k < runs.size() && runs.size() <= most; ++k) {
+    const std::size_t end = k + 1 < runs.size() ? runs[k + 1].first : elements.size();
+    say(options, frame.source + ": triangles " + std::to_string(runs[k].first) + " to " + std::to_string(end - 1) +
+                     " are elements " + std::to_string(runs[k].tag) + " to " +
+                     std::to_string(runs[k].tag + (end - 1 - runs[k].first)));
+  }
+}
+
+void use_msh(const ToolOptions& options, const MshOptions& msh, std::string_view bytes, const Frame& frame,
+             const std::function<void(MshImport&&, const Frame&)>& use) {
   try {
-    MshImport import = read_msh(bytes);
+    MshImport import = read_msh(bytes, msh);
     for (const std::string& text : import.warnings) say(options, frame.source + ": " + text);
-    return std::move(import.mesh);
+    if (options.verbose) say_numbers(options, frame, import.elements);
+    use(std::move(import), frame);
   } catch (const InputError& e) {
     throw Placed(status::bad_input, frame.source + ": " + at_pointer(e.pointer(), e.what()));
+  } catch (const NoResult& e) {
+    throw Placed(status::no_result, frame.source + ": " + e.what());
   }
 }
 
@@ -179,9 +192,15 @@ void for_each_mesh(const ToolOptions& options, const std::function<void(MeshData
   const auto use_document = [&](std::string_view text, const Frame& frame) { use(read_mesh(text), frame); };
   if (!options.takes_msh) return for_each_document(options, use_document);
   for_each_document(options, use_document, [&](std::string_view bytes, const Frame& frame) {
-    MeshData mesh = import_msh(options, bytes, frame);
-    with_place(frame, [&] { use(std::move(mesh), frame); });
+    use_msh(options, {}, bytes, frame, [&](MshImport&& import, const Frame&) { use(std::move(import.mesh), frame); });
   });
+}
+
+void for_msh(const ToolOptions& options, const MshOptions& msh,
+             const std::function<void(MshImport&&, const Frame&)>& use) {
+  // What is no MSH file goes to its reader all the same, which says so.
+  const auto refuse = [&](std::string_view text, const Frame& frame) { use_msh(options, msh, text, frame, use); };
+  for_each_document(options, refuse, refuse);
 }
 
 void for_each_boundary(const ToolOptions& options, const std::function<void(BoundaryComplex&&, const Frame&)>& use) {

@@ -19,6 +19,8 @@ class App;
 }
 
 namespace pliant {
+struct MshImport;
+struct MshOptions;
 
 /// Exit statuses of every tool.
 namespace status {
@@ -83,6 +85,11 @@ struct Frame {
 void for_each_mesh(const ToolOptions& options, const std::function<void(MeshData&&, const Frame&)>& use);
 /// The same with boundary documents.
 void for_each_boundary(const ToolOptions& options, const std::function<void(BoundaryComplex&&, const Frame&)>& use);
+
+/// Calls `use` with the MSH file that the input is; what was left out of it is said on standard error. Errors as above,
+/// without a frame.
+void for_msh(const ToolOptions& options, const MshOptions& msh,
+             const std::function<void(MshImport&&, const Frame&)>& use);
 
 /// Throws BadMesh for the structural faults of the mesh and, unless it `accepts_tangled`, for its invalid elements.
 void require_mesh(const MeshData& data, bool accepts_tangled);

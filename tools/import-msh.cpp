@@ -1,0 +1,73 @@
+#include <CLI/CLI.hpp>
+
+#include "criteria_options.h"
+#include "field_option.h"
+#include "filter.h"
+#include "formats/mesh_json.h"
+#include "formats/msh.h"  // tools/import-msh.cpp
+#include "pliant/mesh/check_mesh.h"
+
+namespace {
+
+using namespace pliant;
+
+/// A tangled mesh is a legal document, one whose triangles do not fit together is not.
+void require_structure(const MshImport& import) {
+  constexpr int most = 10;
+  const std::vector<Fault> faults = check_structure(import.mesh, 3);
+  if (faults.empty()) return;
+  std::string text = "the triangles do not make a mesh (qualityreport audits such a file)";
+  for (std::size_t k = 0; k < faults.size() && k < most; ++k) {
+    const Fault fault = in_msh_words(import, faults[k]);
+    text += "\n" + fault.place + ": " + fault.text + " (" + fault.invariant + ")";
+  }
+  throw InputError("", text);
+}
+
+PassReport summarize(const MshImport& import) {
+  PassReport report;
+  const MeshData& mesh = import.mesh;
+  report.add("degree", mesh.degree);
+  report.add("triangles", static_cast<double>(mesh.triangle_faces.size()));
+  report.add("control_points", static_cast<double>(mesh.points.size()));
+  report.add("faces", static_cast<double>(mesh.boundary.faces.size()));
+  report.add("curves", static_cast<double>(mesh.boundary.curves.size()));
+  report.notes = import.warnings;
+  return report;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app{"Read a Gmsh MSH file, 2.2 or 4.1, as a mesh of Bezier triangles.", "import-msh"};
+  ToolOptions options;
+  MshOptions msh;
+  FieldOption fields;
+  std::string time_text = "0";
+  add_common_options(app, options);
+  app.add_flag("--orient", msh.orient, "turn parts of the mesh whose triangles run clockwise");
+  fields.add(app);
+  app.add_option("--time", time_text, "time of the mesh")->type_name("T")->capture_default_str();
+  return run_tool(app, argc, argv, options, [&] {
+    const double time = parse_number("--time", time_text);
+    fields.check();
+    OutputFile output(options.output);
+    FrameReports reports(options);
+    Stopwatch watch;
+    for_msh(options, msh, [&](MshImport&& import, const Frame& frame) {
+      const double read = watch.lap();
+      require_structure(import);
+      const double check = watch.lap();
+      const PassReport report = summarize(import);
+      Mesh mesh(std::move(import.mesh));
+      mesh.time = time;
+      fields.apply(mesh);
+      std::string text;
+      write_mesh(mesh.to_data(), text);
+      output.write(text);
+      reports.add(frame, mesh.time, report, {{"read", read}, {"check", check}, {"write", watch.lap()}});
+    });
+    output.commit();
+    return status::done;
+  });
+}
