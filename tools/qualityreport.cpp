@@ -3,6 +3,8 @@
 #include <stdexcept>
 
 #include "filter.h"
+#include "formats/report_csv.h"
+#include "formats/report_html.h"
 #include "formats/report_json.h"
 #include "formats/report_text.h"
 #include "pliant/quality/condition.h"
@@ -26,14 +28,17 @@ CLI::Validator count_up_to(int most) {
 struct ReportOptions {
   QualityOptions quality;
   std::string format = "text";
+  std::string title;
   std::vector<std::string> condition_texts;
   std::vector<Condition> conditions;
 
   void add(CLI::App& app) {
-    app.add_option("--format", format, "text, or a line of JSON a frame")
-        ->type_name("text|json")
-        ->check(CLI::IsMember({"text", "json"}).description(""))
+    app.add_option("--format", format,
+                   "text; a line of JSON a frame; a table with a line an element; a page that draws the mesh")
+        ->type_name("text|json|csv|html")
+        ->check(CLI::IsMember({"text", "json", "csv", "html"}).description(""))
         ->capture_default_str();
+    app.add_option("--title", title, "heading of the HTML page")->type_name("TEXT");
     app.add_option("--worst", quality.worst, "list this many worst elements of each metric")
         ->type_name("N")
         ->check(count_up_to(10'000'000))
@@ -61,6 +66,53 @@ struct ReportOptions {
   }
 };
 
+/// Where a mesh came from, for people.
+std::string place_of(const Frame& frame) { return frame.source + ": frame " + std::to_string(frame.index); }
+
+/// The reports of a series in the chosen format.
+class ReportWriter {
+ public:
+  ReportWriter(const ReportOptions& options, OutputFile& output) : options_(options), output_(output) {}
+
+  bool wants_elements() const { return options_.format == "csv" || options_.format == "html"; }
+
+  void write(const MeshData& mesh, const QualityReport& report, const ElementFigures& elements, const Frame& frame) {
+    text_.clear();
+    if (options_.format == "json") {
+      write_report(report, text_);
+    } else if (options_.format == "csv") {
+      if (!has_begun_) write_csv_header(elements, text_);
+      write_csv_elements(mesh, elements, frame.index, text_);
+    } else if (options_.format == "html") {
+      if (!has_begun_) HtmlReport::begin({title(frame), options_.quality.worst}, text_);
+      HtmlReport::frame(mesh, report, elements, frame.source, text_);
+    } else {
+      if (has_begun_) text_ += '\n';
+      write_report_text(report, place_of(frame), text_);
+    }
+    has_begun_ = true;
+    output_.write(text_);
+  }
+
+  /// Also where a later frame failed: a page is whole, with the frames before.
+  void finish() {
+    if (!has_begun_ || options_.format != "html") return;
+    text_.clear();
+    HtmlReport::end(text_);
+    output_.write(text_);
+  }
+
+ private:
+  std::string title(const Frame& frame) const {
+    return options_.title.empty() ? "Quality of " + frame.source.substr(frame.source.rfind('/') + 1) : options_.title;
+  }
+
+  const ReportOptions& options_;
+  OutputFile& output_;
+  bool has_begun_ = false;
+  std::string text_;
+};
+
 /// Says which conditions hold; true if any does.
 bool complain(const ToolOptions& options, const Frame& frame, const std::vector<Condition>& conditions,
               const QualityReport& report) {
@@ -70,8 +122,7 @@ bool complain(const ToolOptions& options, const Frame& frame, const std::vector<
     any = true;
     char value[32];
     std::snprintf(value, sizeof value, "%.6g", *condition.value(report));
-    say(options,
-        frame.source + ": frame " + std::to_string(frame.index) + ": " + condition.text() + ": it is " + value);
+    say(options, place_of(frame) + ": " + condition.text() + ": it is " + value);
   }
   return any;
 }
@@ -88,29 +139,28 @@ int main(int argc, char** argv) {
   return run_tool(app, argc, argv, options, [&] {
     own.check();
     OutputFile output(options.output);
+    ReportWriter writer(own, output);
     bool has_failed = false;
-    std::string text;
-    for_each_mesh(options, [&](MeshData&& mesh, const Frame& frame) {
+    const auto report_on = [&](const MeshData& mesh, const Frame& frame) {
       Stopwatch watch;
       QualityReport report;
+      ElementFigures elements;
       try {
-        report = report_quality(mesh, own.quality);
+        report = report_quality(mesh, own.quality, writer.wants_elements() ? &elements : nullptr);
       } catch (const std::invalid_argument& error) {
         throw UsageError(std::string("--face: ") + error.what());
       }
-      text.clear();
-      if (own.format == "json") {
-        write_report(report, text);
-      } else {
-        if (frame.index > 0) text += '\n';
-        write_report_text(report, frame.source + ": frame " + std::to_string(frame.index), text);
-      }
-      output.write(text);
-      if (options.verbose)
-        say(options, frame.source + ": frame " + std::to_string(frame.index) + ": measured in " +
-                         std::to_string(watch.lap()) + " s");
+      if (options.verbose) say(options, place_of(frame) + ": measured in " + std::to_string(watch.lap()) + " s");
+      writer.write(mesh, report, elements, frame);
       has_failed = complain(options, frame, own.conditions, report) || has_failed;
-    });
+    };
+    try {
+      for_each_mesh(options, report_on);
+    } catch (...) {
+      writer.finish();
+      throw;
+    }
+    writer.finish();
     output.commit();
     return has_failed ? status::check_failed : status::done;
   });

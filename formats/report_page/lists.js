@@ -1,0 +1,112 @@
+// lists.js: elements that need a look: those not valid, and the worst of the metric.
+
+// The worst first; equal values by number, as in the other reports.
+function worstElements(mesh, column, most) {
+  const {values, worstIsLeast} = column;
+  const isWorse = (a, b) => {
+    if (values[a] !== values[b]) return worstIsLeast ? values[a] < values[b] : values[a] > values[b];
+    return mesh.triangles[a] < mesh.triangles[b];
+  };
+  const list = [];
+  for (let t = 0; t < mesh.count; t++) {
+    if (!Number.isFinite(values[t])) continue;
+    if (list.length === most && !isWorse(t, list[most - 1])) continue;
+    let at = list.length < most ? list.length : most - 1;
+    for (; at > 0 && isWorse(t, list[at - 1]); at--) list[at] = list[at - 1];
+    list[at] = t;
+  }
+  return list;
+}
+
+// actions: {visit(t), point(t or -1)}
+function elementButton(mesh, t, attributes, actions, ...children) {
+  return make(
+      'button', {
+        type: 'button',
+        'data-element': mesh.triangles[t],
+        onclick: () => actions.visit(t),
+        onpointerenter: () => actions.point(t),
+        onpointerleave: () => actions.point(-1),
+        onfocus: () => actions.point(t),
+        onblur: () => actions.point(-1),
+        ...attributes
+      },
+      ...children);
+}
+
+// Of the element's colour, or marked as the element is.
+function swatch(code, palette) {
+  if (code === invalidCode || code === degenerateCode)
+    return make('span', {class: `swatch ${code === invalidCode ? 'invalid' : 'degenerate'}`});
+  return make('span', {class: 'swatch', style: `background:${palette.text[code]}`});
+}
+
+function showWorst(panel, mesh, metric, codes, palette, actions) {
+  const column = mesh.column(metric);
+  panel.hidden = !column || mesh.count === 0 || settings.worst === 0;
+  if (panel.hidden) return;
+  const list = worstElements(mesh, column, settings.worst);
+  panel.replaceChildren(
+      make('h2', {}, `Worst by ${metricTitle(metric)}`),
+      make(
+          'ol', {class: 'elements'},
+          ...list.map(
+              (t, place) => make(
+                  'li', {},
+                  elementButton(
+                      mesh, t, {}, actions, make('span', {class: 'rank'}, `${place + 1}.`), swatch(codes[t], palette),
+                      `element ${mesh.triangles[t]}`,
+                      make('span', {class: 'value'}, short(column.values[t], 6) + metricUnit(metric)))))));
+}
+
+const mostChips = 120;
+function showBad(panel, mesh, actions) {
+  panel.hidden = mesh.bad.length === 0;
+  if (panel.hidden) return;
+  const groups = [
+    [2, 'invalid', 'det J < 0 somewhere inside: a proof for the numbers as stored.'],
+    [1, 'degenerate', 'det J touches 0.']
+  ];
+  panel.replaceChildren(...groups.flatMap(([kind, word, text]) => {
+    const list = mesh.bad.filter((t) => mesh.validity[t] === kind);
+    if (list.length === 0) return [];
+    return [
+      make(
+          'div', {class: 'head'},
+          make('h2', {}, make('span', {class: `swatch ${word}`}), `${count(list.length)} ${word}`)),
+      make('p', {class: 'note'}, text),
+      make(
+          'div', {class: 'chips'},
+          ...list.slice(0, mostChips)
+              .map(
+                  (t) => elementButton(
+                      mesh, t, {class: word, 'aria-label': `${word} element ${mesh.triangles[t]}`}, actions,
+                      String(mesh.triangles[t]))),
+          list.length > mostChips ? make('span', {class: 'note'}, `and ${count(list.length - mostChips)} more`) : '')
+    ];
+  }));
+}
+
+// In place of a histogram where elements are coloured by kind. choose(key or -1)
+function showKinds(figure, rows, palette, choose) {
+  figure.replaceChildren(make(
+      'div', {class: 'scroll'},
+      make(
+          'table', {},
+          make(
+              'tbody', {},
+              ...rows.map(
+                  (row) => make(
+                      'tr', {
+                        class: 'choice kind',
+                        'data-key': row.key,
+                        tabindex: 0,
+                        role: 'button',
+                        onclick: () => choose(row.key),
+                        onkeydown: (event) => {
+                          if (event.key === 'Enter') choose(row.key);
+                        }
+                      },
+                      make('th', {class: 'name', scope: 'row'}, swatch(row.code, palette), row.name),
+                      make('td', {}, count(row.count))))))));
+}
