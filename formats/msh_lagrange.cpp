@@ -48,6 +48,9 @@ class EdgeWalk {
           pair(uses_[at(key)], h);
           uses_[at(key)] = paired;
         }
+        // Not new in a broken mesh only: an edge that has its first point in common with others.
+        if (fixed_degree != 2)
+          for (int k = 1; k < degree; ++k) mark(net[layout_.edge_index(e, k)]);
       }
       if (fixed_degree != 2 && degree > 2) take_interior<convert>(net, degree);
     }
@@ -73,11 +76,11 @@ class EdgeWalk {
       for (int k = 0; k <= degree; ++k) set(&polygon[at(2 * k)], mesh_.points[at(point(k))]);
       interpolate_polygon(degree, 2, polygon);
     }
-    for (int k = 1; k < degree; ++k) {
-      const std::size_t p = at(point(k));
-      if (uses_[p] == unused_point) uses_[p] = taken;
-      if constexpr (convert) mesh_.points[p] = {polygon[at(2 * k)], polygon[at(2 * k + 1)]};
-    }
+    if constexpr (convert)
+      for (int k = 1; k < degree; ++k) mesh_.points[at(point(k))] = {polygon[at(2 * k)], polygon[at(2 * k + 1)]};
+  }
+  void mark(PointId p) {
+    if (uses_[at(p)] == unused_point) uses_[at(p)] = taken;
   }
 
   template <bool convert>
