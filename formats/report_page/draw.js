@@ -35,10 +35,11 @@ function drawSmallElements(context, mesh, camera, look, visible) {
     const t = visible[i];
     if (look.codes[t] === invalidCode || look.codes[t] === degenerateCode) continue;  // on top, later
     const code = codeIn(look, t);
-    if (sizeOnScreen(mesh, t, camera) < limit)
+    const size = sizeOnScreen(mesh, t, camera);
+    if (size >= limit) (large[code] ??= []).push(t);
+    // Large ones, too, where that is near enough: what shines through the seams between paths has their colour.
+    if (size < limit || (size < farAway && raster.isNear(mesh, t, camera)))
       raster.fill(mesh, t, camera, look.palette.pixel[code]);
-    else
-      (large[code] ??= []).push(t);
   }
   for (const t of mesh.bad)
     if (sizeOnScreen(mesh, t, camera) < limit) raster.fill(mesh, t, camera, look.palette.pixel[codeIn(look, t)]);
@@ -51,11 +52,8 @@ function drawLargeElements(context, mesh, camera, look, large) {
     if (!elements) return;
     context.beginPath();
     for (const t of elements) traceElement(context, mesh, t, camera);
-    context.fillStyle = context.strokeStyle = look.palette.text[code];
+    context.fillStyle = look.palette.text[code];
     context.fill();
-    if (look.edges) return;
-    context.lineWidth = 0.7;  // covers the seams between neighbours
-    context.stroke();
   });
 }
 

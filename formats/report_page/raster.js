@@ -22,6 +22,11 @@ class Raster {
     this.isEmpty = true;
   }
 
+  // Whether the polygon that is filled is within half a pixel of the element.
+  isNear(mesh, t, camera) {
+    return mesh.bulges[t] * camera.scale < 0.5 * piecesOfEdge ** 2;
+  }
+
   // Pixels whose centres are inside get the colour; so neighbours share no pixel and leave none out.
   fill(mesh, t, camera, color) {
     const {polygon, cuts, pixels} = this, {width, height} = this.canvas;
