@@ -21,6 +21,8 @@ class SectionReader {
 
  private:
   void read_header() {
+    if (std::string_view(in_.at(), in_.left()).substr(0, 5) == "$NOD\n")
+      in_.fail("MSH version 1: versions 2.2 and 4.1 are read");
     in_.expect(msh_magic, " (an MSH file)");
     in_.end_line("$MeshFormat");
     in_.skip_space();
