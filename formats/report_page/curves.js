@@ -96,7 +96,7 @@ function traceEdge(path, mesh, t, e, camera) {
   path.moveTo(clampFar(curve[0]), clampFar(curve[1]));
   const isNear = Math.abs(curve[0]) < farAway && Math.abs(curve[1]) < farAway && Math.abs(curve[last]) < farAway &&
       Math.abs(curve[last + 1]) < farAway;
-  if (isNear && mesh.bulges[t] * camera.scale < 0.1)
+  if (isNear && mesh.bulges[3 * t + e] * camera.scale < 0.1)
     path.lineTo(curve[last], curve[last + 1]);
   else
     traceCurve(path, curve, camera);
@@ -105,13 +105,12 @@ function traceEdge(path, mesh, t, e, camera) {
 // The outline of an element, closed.
 function traceElement(path, mesh, t, camera) {
   const curve = scratchCurve(mesh.degree), last = curve.length - 2;
-  const isStraight = mesh.bulges[t] * camera.scale < 0.1;
   for (let e = 0; e < 3; e++) {
     loadEdge(mesh, t, e, camera, curve);
     if (e === 0) path.moveTo(clampFar(curve[0]), clampFar(curve[1]));
     const isNear = Math.abs(curve[0]) < farAway && Math.abs(curve[1]) < farAway && Math.abs(curve[last]) < farAway &&
         Math.abs(curve[last + 1]) < farAway;
-    if (isStraight && isNear)
+    if (isNear && mesh.bulges[3 * t + e] * camera.scale < 0.1)
       path.lineTo(curve[last], curve[last + 1]);
     else
       traceCurve(path, curve, camera);

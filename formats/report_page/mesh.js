@@ -45,9 +45,9 @@ class Mesh {
 
   // Boxes of the control nets; and a bound of how far the edges are from straight, each taken with even speed.
   measure() {
-    const {points, nets, netSize, degree} = this;
+    const {points, nets, netSize} = this;
     this.boxes = new Float64Array(4 * this.count);
-    this.bulges = new Float64Array(this.count);
+    this.bulges = new Float32Array(3 * this.count);
     this.box = [Infinity, Infinity, -Infinity, -Infinity];
     for (let t = 0; t < this.count; t++) {
       let left = Infinity, low = Infinity, right = -Infinity, high = -Infinity;
@@ -63,20 +63,22 @@ class Mesh {
       if (low < this.box[1]) this.box[1] = low;
       if (right > this.box[2]) this.box[2] = right;
       if (high > this.box[3]) this.box[3] = high;
-      let most = 0;
-      for (let e = 0; e < 3; e++) {
-        const a = 2 * nets[t * netSize + e], b = 2 * nets[t * netSize + ((e + 1) % 3)];
-        for (let k = 1; k < degree; k++) {
-          const s = k / degree, q = 2 * nets[t * netSize + this.edgeIndex[e][k]];
-          const dx = points[q] - (points[a] + s * (points[b] - points[a]));
-          const dy = points[q + 1] - (points[a + 1] + s * (points[b + 1] - points[a + 1]));
-          const away = dx * dx + dy * dy;
-          if (away > most) most = away;
-        }
-      }
-      this.bulges[t] = Math.sqrt(most);
+      for (let e = 0; e < 3; e++) this.bulges[3 * t + e] = this.bulge(t, e);
     }
     if (this.count === 0) this.box = [0, 0, 1, 1];
+  }
+
+  bulge(t, e) {
+    const {points, nets, netSize, degree} = this;
+    const a = 2 * nets[t * netSize + e], b = 2 * nets[t * netSize + ((e + 1) % 3)];
+    let most = 0;
+    for (let k = 1; k < degree; k++) {
+      const s = k / degree, q = 2 * nets[t * netSize + this.edgeIndex[e][k]];
+      const dx = points[q] - (points[a] + s * (points[b] - points[a]));
+      const dy = points[q + 1] - (points[a + 1] + s * (points[b + 1] - points[a + 1]));
+      most = Math.max(most, Math.hypot(dx, dy));
+    }
+    return most;
   }
 
   // Every edge is drawn once, by the first element that has it; border: constrained, or of one element only.

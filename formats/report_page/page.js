@@ -42,20 +42,22 @@ const listActions = {
   }
 };
 
+// Values that are equal but for rounding are one value: its noise is nothing to look at.
+const isOneValue = (low, high) => !(high - low > 1e-9 * Math.max(Math.abs(low), Math.abs(high)));
+
 // One scale for all frames, so that their colours can be compared.
 function wholeRange(metric) {
   const known = frames.map((frame) => frame.ranges[metric]).filter(Boolean);
-  return known.length > 0 ? [Math.min(...known.map((range) => range[0])), Math.max(...known.map((range) => range[1]))] :
-                            null;
+  if (known.length === 0) return null;
+  const low = Math.min(...known.map((range) => range[0])), high = Math.max(...known.map((range) => range[1]));
+  return isOneValue(low, high) ? [low, low] : [low, high];
 }
 
 function binRange(metric) {
   const histograms = frames.map((frame) => frame.report[metric]?.histogram).filter(Boolean);
   if (histograms.length === 0) return [...(wholeRange(metric) ?? [0, 1]), 20];
-  return [
-    Math.min(...histograms.map((each) => each.low)), Math.max(...histograms.map((each) => each.high)),
-    histograms[0].counts.length
-  ];
+  const low = Math.min(...histograms.map((each) => each.low)), high = Math.max(...histograms.map((each) => each.high));
+  return [low, isOneValue(low, high) ? low : high, histograms[0].counts.length];
 }
 
 function showFrame(number) {

@@ -24,7 +24,8 @@ class Raster {
 
   // Whether the polygon that is filled is within half a pixel of the element.
   isNear(mesh, t, camera) {
-    return mesh.bulges[t] * camera.scale < 0.5 * piecesOfEdge ** 2;
+    const {bulges} = mesh;
+    return Math.max(bulges[3 * t], bulges[3 * t + 1], bulges[3 * t + 2]) * camera.scale < 0.5 * piecesOfEdge ** 2;
   }
 
   // Pixels whose centres are inside get the colour; so neighbours share no pixel and leave none out.
@@ -56,28 +57,30 @@ class Raster {
     this.isEmpty = false;
   }
 
-  // The corners; where edges are visibly curved also points between. Returns how many.
+  // The corners; where an edge is visibly curved also points between, the same ones for both its elements. Returns how
+  // many.
   loadPolygon(mesh, t, camera) {
-    const {polygon} = this, first = t * mesh.netSize, {points, nets} = mesh;
+    const {polygon} = this, {points, nets} = mesh;
     let size = 0;
-    if (mesh.bulges[t] * camera.scale < 0.35) {
-      for (; size < 3; size++) {
-        const q = 2 * nets[first + size];
-        polygon[2 * size] = camera.left + (points[q] - camera.x) * camera.scale;
-        polygon[2 * size + 1] = camera.top - (points[q + 1] - camera.y) * camera.scale;
-      }
-      return size;
-    }
-    const curve = scratchCurve(mesh.degree), degree = mesh.degree;
     for (let e = 0; e < 3; e++) {
-      for (let piece = 0; piece < piecesOfEdge; piece++, size++) {
-        loadEdge(mesh, t, e, camera, curve);
-        const s = piece / piecesOfEdge;
-        for (let r = degree; r > 0; r--)
-          for (let k = 0; k < 2 * r; k++) curve[k] += s * (curve[k + 2] - curve[k]);
-        polygon[2 * size] = curve[0];
-        polygon[2 * size + 1] = curve[1];
-      }
+      const q = 2 * nets[t * mesh.netSize + e];
+      polygon[2 * size] = camera.left + (points[q] - camera.x) * camera.scale;
+      polygon[2 * size + 1] = camera.top - (points[q + 1] - camera.y) * camera.scale;
+      size++;
+      if (mesh.bulges[3 * t + e] * camera.scale > 0.35) size = this.addBetween(mesh, t, e, camera, size);
+    }
+    return size;
+  }
+
+  addBetween(mesh, t, e, camera, size) {
+    const {polygon} = this, curve = scratchCurve(mesh.degree);
+    for (let piece = 1; piece < piecesOfEdge; piece++, size++) {
+      loadEdge(mesh, t, e, camera, curve);
+      const s = piece / piecesOfEdge;
+      for (let r = mesh.degree; r > 0; r--)
+        for (let k = 0; k < 2 * r; k++) curve[k] += s * (curve[k + 2] - curve[k]);
+      polygon[2 * size] = curve[0];
+      polygon[2 * size + 1] = curve[1];
     }
     return size;
   }

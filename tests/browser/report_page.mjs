@@ -131,7 +131,7 @@ for (const degree of [1, 2, 3, 5]) {
   const split = await tab.evaluate(() => {
     const { mesh } = window.pliant.state, { stage } = window.pliant;
     let t = 0;
-    for (let k = 0; k < mesh.count; k++) if (mesh.bulges[k] > mesh.bulges[t]) t = k;
+    mesh.bulges.forEach((bulge, h) => { if (bulge > Math.max(...mesh.bulges.slice(3 * t, 3 * t + 3))) t = Math.floor(h / 3); });
     const point = (k) => mesh.points.slice(2 * mesh.nets[t * mesh.netSize + k], 2 * mesh.nets[t * mesh.netSize + k] + 2);
     let most = 0, chosen = 0;
     for (let e = 0; e < 3; e++) {
