@@ -172,9 +172,9 @@ std::string frame_mesh(const MeshData& mesh, const ElementFigures& elements) {
 
 void HtmlReport::begin(const Options& options, std::string& out) {
   constexpr std::string_view mark = "{{title}}";
-  const std::string_view head = report_page_head();
-  const std::size_t at = head.find(mark);
-  out.append(head.substr(0, at)).append(escape_xml(options.title)).append(head.substr(at + mark.size()));
+  std::string head;
+  for (const std::string_view piece : report_page_head()) head += piece;
+  out += head.replace(head.find(mark), mark.size(), escape_xml(options.title));
   append_script("id=\"settings\"", settings(options), out);
 }
 
@@ -184,6 +184,8 @@ void HtmlReport::frame(const MeshData& mesh, const QualityReport& report, const 
   append_script("class=\"mesh\"", frame_mesh(mesh, elements), out);
 }
 
-void HtmlReport::end(std::string& out) { out += report_page_tail(); }
+void HtmlReport::end(std::string& out) {
+  for (const std::string_view piece : report_page_tail()) out += piece;
+}
 
 }  // namespace pliant

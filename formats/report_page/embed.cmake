@@ -23,7 +23,7 @@ function(cut text mark before after)
   set(${after} "${second}" PARENT_SCOPE)
 endfunction()
 
-# Compilers limit the length of one literal: the text goes in pieces of whole lines, which the compiler joins.
+# Compilers limit the length of one literal: the text goes in pieces of whole lines.
 function(literal text result)
   set(pieces "")
   string(LENGTH "${text}" length)
@@ -36,7 +36,7 @@ function(literal text result)
       string(SUBSTRING "${piece}" 0 ${step} piece)
     endif()
     string(LENGTH "${piece}" step)
-    string(APPEND pieces "    R\"page(${piece})page\"\n")
+    string(APPEND pieces "    R\"page(${piece})page\",\n")
     math(EXPR at "${at} + ${step}")
   endwhile()
   set(${result} "${pieces}" PARENT_SCOPE)
@@ -52,15 +52,15 @@ file(WRITE ${out} "// Made from formats/report_page by embed.cmake.
 
 namespace pliant {
 
-std::string_view report_page_head() {
-  return
-${head_literal}    ;
-}
+namespace {
+constexpr std::string_view head[] = {
+${head_literal}};
+constexpr std::string_view tail[] = {
+${tail_literal}};
+}  // namespace
 
-std::string_view report_page_tail() {
-  return
-${tail_literal}    ;
-}
+std::span<const std::string_view> report_page_head() { return head; }
+std::span<const std::string_view> report_page_tail() { return tail; }
 
 }  // namespace pliant
 ")

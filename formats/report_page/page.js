@@ -91,15 +91,21 @@ function showMetric() {
   state.chosenBin = null;
   state.highlight = null;
   byId('range-row').hidden = isKind();
-  byId('range-low').value = state.range ? Number(state.range[0].toPrecision(5)) : '';
-  byId('range-high').value = state.range ? Number(state.range[1].toPrecision(5)) : '';
+  showRange(state.range);
   byId('range-reset').disabled = state.ownRange === null;
   showDistribution();
   showWorst(byId('worst-panel'), mesh, metric, state.codes, palette, listActions);
   showCaption();
-  history_?.show(state.frame, metric);
+  historyCharts?.show(state.frame, metric);
   if (state.selected >= 0) select(state.selected);
   stage.changed();
+}
+
+// Five digits of the ends, but none below a millionth of the range.
+function showRange(range) {
+  const text = (value) => (Math.abs(value) < 1e-6 * (range[1] - range[0]) ? 0 : Number(value.toPrecision(5)));
+  byId('range-low').value = range ? text(range[0]) : '';
+  byId('range-high').value = range ? text(range[1]) : '';
 }
 
 const histogramNode = byId('histogram');
@@ -201,15 +207,23 @@ function pick(x, y) {
   select(found.length === 0 || (found.length === 1 && at === 0) ? -1 : found[(at + 1) % found.length]);
 }
 
+// Where the pointer is, and what it would pick.
 function pointAt(x, y) {
-  byId('pointer').textContent = x === undefined ? '' : `${short(x, 6)}, ${short(y, 6)}`;
+  if (x === undefined) {
+    byId('pointer').textContent = '';
+    return;
+  }
+  const {mesh, metric} = state, [t] = elementsAt(mesh, x, y), value = mesh.column(metric)?.values[t];
+  const element = t === undefined ? '' : ` \u00b7 element ${mesh.triangles[t]}`;
+  const figure = value === undefined ? '' : `: ${metricTitle(metric)} ${short(value, 5)}${metricUnit(metric)}`;
+  byId('pointer').textContent = `${short(x, 6)}, ${short(y, 6)}${element}${figure}`;
 }
 
-const history_ = frames.length > 1 ? new History((frame) => {
+const historyCharts = frames.length > 1 ? new History((frame) => {
   player.stop();
   showFrame(frame);
 }) :
-                                     null;
+                                          null;
 const player = frames.length > 1 ? new Player(showFrame) : null;
 
 function start() {

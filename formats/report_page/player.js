@@ -1,6 +1,6 @@
 // player.js: the slider of a series, and playing it.
 
-const milliseconds = 120;  // a frame
+const frameMilliseconds = 120;
 
 class Player {
   // go(frame)
@@ -40,7 +40,7 @@ class Player {
       const next = Number(this.slider.value) + 1;
       if (next < frames.length) this.go(next);
       if (next >= frames.length - 1) this.stop();
-    }, milliseconds);
+    }, frameMilliseconds);
     this.label('\u275a\u275a', 'Pause');
   }
 
