@@ -1,4 +1,4 @@
-// lists.js: elements that need a look: those not valid, and the worst of the metric.
+// lists.js: elements as buttons that lead to them: the worst of the metric; and the kinds of elements.
 
 // The worst first; equal values by number, as in the other reports.
 function worstElements(mesh, column, most) {
@@ -57,34 +57,6 @@ function showWorst(panel, mesh, metric, codes, palette, actions) {
                       mesh, t, {}, actions, make('span', {class: 'rank'}, `${place + 1}.`), swatch(codes[t], palette),
                       `element ${mesh.triangles[t]}`,
                       make('span', {class: 'value'}, short(column.values[t], 6) + metricUnit(metric)))))));
-}
-
-const mostChips = 120;
-function showBad(panel, mesh, actions) {
-  panel.hidden = mesh.bad.length === 0;
-  if (panel.hidden) return;
-  const groups = [
-    [2, 'invalid', 'det J < 0 somewhere inside: a proof for the numbers as stored.'],
-    [1, 'degenerate', 'det J touches 0.']
-  ];
-  panel.replaceChildren(...groups.flatMap(([kind, word, text]) => {
-    const list = mesh.bad.filter((t) => mesh.validity[t] === kind);
-    if (list.length === 0) return [];
-    return [
-      make(
-          'div', {class: 'head'},
-          make('h2', {}, make('span', {class: `swatch ${word}`}), `${count(list.length)} ${word}`)),
-      make('p', {class: 'note'}, text),
-      make(
-          'div', {class: 'chips'},
-          ...list.slice(0, mostChips)
-              .map(
-                  (t) => elementButton(
-                      mesh, t, {class: word, 'aria-label': `${word} element ${mesh.triangles[t]}`}, actions,
-                      String(mesh.triangles[t]))),
-          list.length > mostChips ? make('span', {class: 'note'}, `and ${count(list.length - mostChips)} more`) : '')
-    ];
-  }));
 }
 
 // In place of a histogram where elements are coloured by kind. choose(key or -1)

@@ -68,8 +68,8 @@ function showFrame(number) {
   byId('subtitle').textContent = `${plural(report().triangles, 'element')} of degree ${report().degree}` +
       (report().time !== 0 || frames.length > 1 ? ` \u00b7 t = ${short(report().time, 6)}` : '');
   showVerdict(report());
-  showBad(byId('bad-panel'), state.mesh, listActions);
-  showSummary(byId('summary-panel'), state.mesh, frames[number], listActions);
+  showProblems(byId('problems-panel'), state.mesh, frames[number], listActions);
+  showSummary(byId('summary-panel'), frames[number]);
   player?.show(number);
   showMetric();
   select(-1);

@@ -1,4 +1,4 @@
-// summary.js: the figures of the whole mesh, its faults, faces, fields and metrics, from the report.
+// summary.js: the figures of the whole mesh, its faces, fields and metrics, from the report.
 
 function showVerdict(report) {
   const parts = [];
@@ -29,37 +29,8 @@ function plainTable(heads, rows) {
                       ...row.slice(1).map((cell) => make('td', {}, cell)))))));
 }
 
-// The element that a fault's place names, or -1.
-function elementOfFault(mesh, fault) {
-  const found = /^\/triangles\/(\d+)/.exec(fault.place);
-  return found ? mesh.indexOfTriangle.get(Math.floor(Number(found[1]) / mesh.netSize)) ?? -1 : -1;
-}
-
-function faultList(mesh, faults, actions) {
-  return make('ul', {class: 'faults'}, ...faults.map((fault) => {
-    const t = elementOfFault(mesh, fault);
-    return make(
-        'li', {}, make('b', {}, fault.invariant), ` ${fault.place}: ${fault.text} `,
-        t >= 0 ? elementButton(mesh, t, {}, actions, 'show') : '');
-  }));
-}
-
-// The elements that lie over each other, as far as the report names them.
-function overlapList(mesh, overlaps, actions) {
-  return make('ul', {class: 'faults'}, ...overlaps.map((overlap) => {
-    const buttons = overlap.triangles.map((triangle) => [triangle, mesh.indexOfTriangle.get(triangle)])
-                        .map(
-                            ([triangle, t]) =>
-                                (t === undefined ? `element ${triangle} ` :
-                                                   elementButton(mesh, t, {}, actions, `element ${triangle}`)));
-    const at = overlap.at ? ` at (${short(overlap.at[0])}, ${short(overlap.at[1])})` : '';
-    return make('li', {}, 'The mesh lies over itself', at, ': ', make('span', {class: 'chips'}, ...buttons));
-  }));
-}
-
-function showSummary(panel, mesh, frame, actions) {
+function showSummary(panel, frame) {
   const {report, source} = frame;
-  const degrees = (name) => metricUnit(name);
   const figures = [
     ['elements', count(report.triangles)], ['vertices', count(report.vertices)],
     ['control points', count(report.control_points)], ['degree', report.degree], ['time', short(report.time, 9)],
@@ -72,16 +43,13 @@ function showSummary(panel, mesh, frame, actions) {
                       .filter((name) => report[name]?.worst)
                       .map(
                           (name) =>
-                              [metricTitle(name) + (degrees(name) ? ' (\u00b0)' : ''), short(report[name].min),
+                              [metricTitle(name) + (metricUnit(name) ? ' (\u00b0)' : ''), short(report[name].min),
                                short(report[name].mean), short(report[name].max)]);
   const section = (title, isOpen, ...content) =>
       make('details', {open: isOpen}, make('summary', {}, title), ...content);
   const open =
       [...panel.querySelectorAll('details')].filter((node) => !node.open).map((node) => node.firstChild.textContent);
   const children = [section('Summary', true, plainTable(['', ''], figures))];
-  if (report.faults.length > 0) children.unshift(section('Faults', true, faultList(mesh, report.faults, actions)));
-  if (frame.overlaps.length > 0)
-    children.unshift(section('Overlaps', true, overlapList(mesh, frame.overlaps, actions)));
   children.push(section('Metrics', true, plainTable(['metric', 'min', 'mean', 'max'], metrics)));
   children.push(section(
       'Faces', true,

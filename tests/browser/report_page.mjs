@@ -167,8 +167,8 @@ for (const degree of [1, 2, 3, 5]) {
   const tab = await open('tangled');
   const bad = readFileSync(`${folder}/tangled.csv`, 'utf8').split('\n').filter((line) => line.includes(',invalid,')).length;
   check('the verdict counts the invalid', (await tab.locator('#verdict').textContent()).includes(`${bad} invalid`));
-  check('each of them can be visited', (await tab.locator('#bad-panel button').count()) === bad);
-  await tab.locator('#bad-panel button').first().click();
+  check('each of them can be visited', (await tab.locator('#problems-panel button').count()) === bad);
+  await tab.locator('#problems-panel button').first().click();
   await settled(tab);
   await tab.screenshot({ path: `${folder}/tangled.png` });
   const share = await tab.evaluate(() => {
