@@ -52,7 +52,7 @@ TEST_CASE("the certificate of a linear element is the sign of its area", "[geome
 
 TEST_CASE("the certificate of a quadratic element is the sign of its exact minimum", "[geometry][oracle]") {
   std::map<std::pair<Validity, Place>, int> count;
-  for (int seed = 0; seed < 20000; ++seed) {
+  for (int seed = 0; seed < 8000; ++seed) {
     CAPTURE(seed);
     const auto net = random_integer_net(2, seed, 1 + seed % 4, 1 + seed % 5);
     const Minimum minimum = exact_minimum(net);

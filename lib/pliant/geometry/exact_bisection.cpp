@@ -28,7 +28,7 @@ struct Piece {
 
 class Search {
  public:
-  Search(LimbNet net, int bits, int corner) : bits_(bits), row_() {
+  Search(LimbNet net, int bits, int corner) : gap_(corner < 0 ? degenerate_gap : degenerate_gap_at_cusp), bits_(bits) {
     assert(bits > 0);
     for (int n = 0; n < net.size(); ++n) unit_ = std::max(unit_, std::fabs(net.value(n, -bits)));
     add({std::move(net), 0, corner, 0});
@@ -39,13 +39,13 @@ class Search {
     constexpr int most_bisections = 2048;
     for (int count = 0; !is_negative_ && !pieces_.empty(); ++count) {
       const double least = pieces_.front().least;
-      constexpr double enough = degenerate_gap * (1 - 0x1p-40);  // values are rounded
-      if (least >= -enough && upper_ <= enough) return {Validity::degenerate, degenerate_gap};
+      const double enough = gap_ * (1 - 0x1p-40);  // values are rounded
+      if (least >= -enough && upper_ <= enough) return {Validity::degenerate, gap_};
       if (count == most_bisections) return {Validity::degenerate, std::max(-least, upper_) * (1 + 0x1p-40)};
       bisect_lowest();
     }
     if (is_negative_) return {Validity::invalid, 0};
-    if (touches_zero_) return {Validity::degenerate, is_rounded_ ? degenerate_gap : 0};
+    if (touches_zero_) return {Validity::degenerate, is_rounded_ ? gap_ : 0};
     return {Validity::valid, 0};
   }
 
@@ -83,8 +83,12 @@ class Search {
 
   void bisect_lowest() {
     std::pop_heap(pieces_.begin(), pieces_.end());
-    const Piece piece = std::move(pieces_.back());
+    Piece piece = std::move(pieces_.back());
     pieces_.pop_back();
+    // Around a forgiven corner every second division halves the angle there: what is 0 at the corner and positive in
+    // all directions from it has positive coefficients on narrow pieces only.
+    for (; piece.corner >= 0 && piece.corner != 2 && piece.depth % 2 == 1; piece.corner = (piece.corner + 2) % 3)
+      piece.net = piece.net.turned();
     const int degree = piece.net.degree();
     const int depth = piece.depth + 1;
     const std::size_t width = width_of(bits_ + depth * degree);
@@ -105,6 +109,7 @@ class Search {
   /// Limbs for that many bits and a sign.
   static std::size_t width_of(int bits) { return static_cast<std::size_t>(bits) / 64 + 1; }
 
+  double gap_;
   int bits_;                   // of the greatest coefficient
   double unit_ = 0;            // the greatest coefficient by 2^bits_
   double upper_ = HUGE_VAL;    // the least value at a corner

@@ -11,8 +11,10 @@ struct Certificate {
   double gap = 0;
 };
 
-/// The gap at which the search for p > 2 ends.
-inline constexpr double degenerate_gap = 0x1p-64;
+/// The gap at which the search for p > 2 ends; with a corner forgiven, where all is as small as high powers of the
+/// distance to it, a smaller one.
+inline constexpr double degenerate_gap = 0x1p-112;
+inline constexpr double degenerate_gap_at_cusp = 0x1p-400;
 
 /// What certify (corner = -1) and certify_cusp promise, in exact integers: the control points are scaled by powers of
 /// two to integers of any length, so nothing is rounded, overflows or underflows. For p <= 2 the sign of the minimum
@@ -28,9 +30,10 @@ inline constexpr double degenerate_gap = 0x1p-64;
 ///
 /// Coefficients longer than some 570 bits, of control points whose exponents differ by hundreds, are rounded down to
 /// some 512 before they are bisected: "valid" and "invalid" stay proofs, and the gap of a minimum of 0 is then
-/// degenerate_gap.
+/// not 0.
 ///
-/// With a corner forgiven, the gap bounds min det J from below only: at that corner det J may be 0.
+/// With a corner forgiven, the gap bounds min det J from below only (at that corner det J may be 0), and the bound on
+/// the gap does not hold (pieces there are divided otherwise).
 Certificate certify_exactly(int degree, std::span<const Point> net, int corner);
 
 }  // namespace pliant

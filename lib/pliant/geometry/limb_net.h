@@ -43,6 +43,15 @@ class LimbNet {
     return std::ldexp(result, exponent + 64 * static_cast<int>(top - 1));
   }
 
+  /// The same seen from the next corner: (v1, v2, v0) in place of (v0, v1, v2).
+  LimbNet turned() const {
+    LimbNet result(degree_, width_);
+    for (int r = 0; r <= degree_; ++r)
+      for (int k = 0; k <= r; ++k)
+        std::copy_n(at(lattice_index(r, k)), width_, result.at(lattice_index(degree_ - r + k, degree_ - r)));
+    return result;
+  }
+
   /// Every coefficient divided by 2^(64 count), rounded down.
   LimbNet without_lowest(std::size_t count) const {
     LimbNet result(degree_, width_ - count);
