@@ -45,7 +45,7 @@ bool do_overlap(const Corners& s, const Corners& t) {
   return is_inside(s[0], t) || is_inside(t[0], s);
 }
 
-std::int64_t overlaps_of(const MeshData& data) { return find_overlaps(data, edge_uses(data), 5).count; }
+std::int64_t overlaps_of(const MeshData& data) { return find_overlaps(data, HalfEdges(data), 5).count; }
 
 }  // namespace
 
@@ -79,7 +79,7 @@ TEST_CASE("triangles that share nothing overlap exactly where two of them do", "
 TEST_CASE("a part that lies on another without crossing its boundary is an overlap, and its place is told",
           "[quality]") {
   const MeshData data = triangle_soup(2, {{{{0, 0}, {9, 0}, {0, 9}}}, {{{1, 1}, {2, 1}, {1, 2}}}});
-  const Overlaps overlaps = find_overlaps(data, edge_uses(data), 5);
+  const Overlaps overlaps = find_overlaps(data, HalfEdges(data), 5);
   REQUIRE(overlaps.count == 1);
   CHECK(overlaps.places[0].first == 1);
   CHECK(overlaps.places[0].second == none);
@@ -88,7 +88,7 @@ TEST_CASE("a part that lies on another without crossing its boundary is an overl
 
 TEST_CASE("of boundaries that cross the two elements are named, and where", "[quality]") {
   const MeshData data = triangle_soup(2, {{{{0, 0}, {2, 0}, {0, 2}}}, {{{0.5, -1}, {3, -1}, {0.5, 1}}}});
-  const Overlaps overlaps = find_overlaps(data, edge_uses(data), 1);
+  const Overlaps overlaps = find_overlaps(data, HalfEdges(data), 1);
   CHECK(overlaps.count == 2);
   REQUIRE(overlaps.places.size() == 1);
   CHECK(overlaps.places[0].first + overlaps.places[0].second == 1);

@@ -4,7 +4,7 @@
 
 #include "pliant/boundary/fault.h"
 #include "pliant/geometry/validity.h"
-#include "pliant/mesh/edge_uses.h"
+#include "pliant/mesh/half_edges.h"
 #include "pliant/mesh/mesh.h"
 
 namespace pliant {
@@ -15,8 +15,8 @@ std::vector<Fault> check_arrays(const MeshData& data);
 /// The structural invariants M1, M2, M4, M5, M6 of a document whose arrays are well-formed. At most `limit` faults of
 /// one kind are listed.   Complexity O(data)
 std::vector<Fault> check_structure(const MeshData& data, int limit = 20);
-/// The same with the edges known.
-std::vector<Fault> check_structure(const MeshData& data, const EdgeUses& uses, int limit = 20);
+/// The same with the half-edges of the document known.
+std::vector<Fault> check_structure(const MeshData& data, const HalfEdges& half_edges, int limit = 20);
 
 /// The certificate of one element of a mesh with this boundary: at a cusp's corner det J = 0 is forgiven (M3).
 Validity certify_element(const BoundaryComplex& boundary, int degree, std::span<const Point> net);

@@ -3,10 +3,12 @@
 #include <map>
 #include <span>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "pliant/boundary/check_boundary.h"
 #include "pliant/mesh/check_mesh.h"
-#include "pliant/mesh/edge_uses.h"
+#include "pliant/mesh/half_edges.h"
 
 namespace pliant {
 namespace {
@@ -18,22 +20,24 @@ std::size_t at(I i) {
 
 class Checker {
  public:
-  Checker(const MeshData& data, const EdgeUses& uses, int limit)
+  Checker(const MeshData& data, const HalfEdges& half_edges, int limit)
       : data_(data),
         limit_(limit),
         layout_(NetLayout::of(data.degree)),
         n_(at(layout_.size())),
         triangles_(static_cast<TriangleId>(data.triangle_faces.size())),
-        uses_(uses) {}
+        half_edges_(half_edges) {}
 
   std::vector<Fault> run() {
     for (Fault fault : check_boundary(data_.boundary)) {
       fault.place = "/boundary" + fault.place;
       faults_.push_back(std::move(fault));
     }
-    find_edges();
-    check_point_uses();
-    check_stars();
+    if (!half_edges_.is_sound()) {
+      check_edges();
+      check_point_uses();
+      check_stars();
+    }
     check_curves();
     check_faces();
     check_fields();
@@ -49,6 +53,7 @@ class Checker {
   PointId entry(TriangleId t, int index) const { return data_.triangles[at(t) * n_ + at(index)]; }
   PointId corner(TriangleId t, int c) const { return entry(t, c); }
   PointId edge_point(HalfEdgeId h, int k) const { return entry(triangle_of(h), layout_.edge_index(edge_of(h), k)); }
+  HalfEdgeId twin(HalfEdgeId h) const { return half_edges_.twin(h); }
   PointId origin(HalfEdgeId h) const { return corner(triangle_of(h), edge_of(h)); }
   PointId target(HalfEdgeId h) const { return origin(next(h)); }
   std::string edge_text(HalfEdgeId h) const {
@@ -56,26 +61,19 @@ class Checker {
            std::to_string(triangle_of(h)) + ")";
   }
 
-  /// Twins; M1 for shared edges, M2 for edges with too many triangles.
-  void find_edges() {
-    twins_.assign(3 * at(triangles_), none);
-    for (std::size_t e = 0; e < uses_.count(); ++e) {
-      const std::span<const HalfEdgeId> all = uses_.of(e);
-      const HalfEdgeId h = all[0];
-      if (origin(h) == target(h)) {
-        for (const HalfEdgeId g : all) fault("M2", place_of(triangle_of(g)), "two corners are the same point");
+  /// M1 for shared edges, M2 for edges with too many triangles.
+  void check_edges() {
+    const EdgeUses& uses = half_edges_.uses();
+    for (std::size_t e = 0; e < uses.count(); ++e) {
+      const std::span<const HalfEdgeId> all = uses.of(e);
+      if (origin(all[0]) == target(all[0])) {
+        for (const HalfEdgeId h : all) fault("M2", place_of(triangle_of(h)), "two corners are the same point");
         continue;
       }
-      // Of several in one direction the first one counts; the others are faults, and have it for a twin.
-      HalfEdgeId back = none;
-      for (const HalfEdgeId g : all.subspan(1)) {
-        if (origin(g) == origin(h) || back != none)
-          fault("M2", place_of(triangle_of(g)), edge_text(g) + " has another triangle on the same side");
-        if (origin(g) != origin(h) && back == none) back = g;
-      }
-      if (back == none) continue;
-      for (const HalfEdgeId g : all) twins_[at(g)] = origin(g) == origin(h) ? back : h;
-      check_shared_points(h, back);
+      const HalfEdgeId back = twin(all[0]);
+      for (const HalfEdgeId h : all.subspan(1))
+        if (h != back) fault("M2", place_of(triangle_of(h)), edge_text(h) + " has another triangle on the same side");
+      if (back != none) check_shared_points(all[0], back);
     }
   }
   void check_shared_points(HalfEdgeId h, HalfEdgeId g) {
@@ -86,12 +84,6 @@ class Checker {
         return;
       }
   }
-  HalfEdgeId find(PointId from, PointId to) const {
-    for (const HalfEdgeId h : uses_.between(data_, from, to))
-      if (origin(h) == from) return h;
-    return none;
-  }
-
   /// Every point is a corner, or one place inside one edge, or inside one triangle.
   void check_point_uses() {
     // corner: 0; edge: 1 + the place among all half-edges' points; interior: -2 - triangle
@@ -102,7 +94,7 @@ class Checker {
         const PointId p = entry(t, k);
         std::int64_t now = 0;
         if (k >= 3 && k < layout_.first_interior()) {
-          const HalfEdgeId h = half_edge(t, static_cast<int>((k - 3) / inside)), g = twins_[at(h)];
+          const HalfEdgeId h = half_edge(t, static_cast<int>((k - 3) / inside)), g = twin(h);
           const std::int64_t along = (k - 3) % inside;  // of the two half-edges, the lower one's count
           now = 1 + (g != none && g < h ? g * inside + inside - 1 - along : h * inside + along);
         } else if (k >= 3) {
@@ -128,9 +120,9 @@ class Checker {
       leaving[at(origin(h))] = h;
     }
     for (HalfEdgeId h = 0; h < 3 * triangles_; ++h) {
-      if (twins_[at(h)] != none) continue;
+      if (twin(h) != none) continue;
       std::int32_t& seen = in_open[at(origin(h))];
-      for (HalfEdgeId g = h; g != none && seen <= corners[at(origin(h))]; g = twins_[at(previous(g))]) ++seen;
+      for (HalfEdgeId g = h; g != none && seen <= corners[at(origin(h))]; g = twin(previous(g))) ++seen;
     }
     for (std::size_t v = 0; v < corners.size(); ++v) {
       if (corners[v] == 0) continue;
@@ -143,7 +135,7 @@ class Checker {
       HalfEdgeId h = leaving[v];
       do {
         ++turned;
-        h = twins_[at(previous(h))];
+        h = twin(previous(h));
       } while (h != none && h != leaving[v] && turned <= corners[v]);
       if (turned != corners[v])
         fault("M2", point_place(v), "the triangles around point " + std::to_string(v) + " are not one disk");
@@ -155,7 +147,6 @@ class Checker {
     Box box;
     for (const Point& p : data_.points) box.extend(p);
     const double tolerance = 1e-12 * box.size();
-    constrained_.assign(twins_.size(), none);
     std::vector<std::vector<double>> breaks;
     std::vector<std::vector<char>> covered;
     for (std::size_t c = 0; c < data_.boundary.curves.size(); ++c) {
@@ -170,17 +161,13 @@ class Checker {
     for (std::size_t k = 0; k < data_.constrained_edges.size(); ++k) {
       const ConstrainedEdge& edge = data_.constrained_edges[k];
       const std::string place = "/constrained_edges/" + std::to_string(k);
-      const HalfEdgeId forward = find(edge.points.front(), edge.points.back());
-      const HalfEdgeId backward = find(edge.points.back(), edge.points.front());
+      const auto [forward, backward] = half_edges_.along(edge.points);
       if (forward == none && backward == none) {
         fault("M4", place + "/points", "is no edge of a triangle");
         continue;
       }
       for (const HalfEdgeId h : {forward, backward})
-        if (h != none) {
-          if (constrained_[at(h)] != none) fault("M4", place, "this edge is listed twice");
-          constrained_[at(h)] = static_cast<std::int32_t>(k);
-        }
+        if (h != none) constrained_.emplace_back(h, k);
       for (int i = 0; i <= data_.degree; ++i) {
         const PointId p = forward != none ? edge_point(forward, i) : edge_point(backward, data_.degree - i);
         if (p != edge.points[at(i)]) {
@@ -212,19 +199,23 @@ class Checker {
 
   /// M5: constrained edges separate faces, nothing else does.
   void check_faces() {
+    std::sort(constrained_.begin(), constrained_.end());
+    auto next_constrained = constrained_.begin();
     for (HalfEdgeId h = 0; h < 3 * triangles_; ++h) {
-      const HalfEdgeId g = twins_[at(h)];
+      const bool is_constrained = next_constrained != constrained_.end() && next_constrained->first == h;
+      if (!is_constrained && !half_edges_.is_border(h)) continue;
+      const HalfEdgeId g = twin(h);
       const FaceId mine = data_.triangle_faces[at(triangle_of(h))];
-      const FaceId other = g == none ? outside : data_.triangle_faces[at(triangle_of(g))];
-      const std::int32_t k = constrained_[at(h)];
-      if (k == none) {
-        if (mine != other)
-          fault("M5", place_of(triangle_of(h)),
-                edge_text(h) + (g == none ? " is on the outer boundary but on no curve"
-                                          : " separates two faces but is on no curve"));
+      if (!is_constrained) {
+        fault("M5", place_of(triangle_of(h)),
+              edge_text(h) + (g == none ? " is on the outer boundary but on no curve"
+                                        : " separates two faces but is on no curve"));
         continue;
       }
-      const ConstrainedEdge& edge = data_.constrained_edges[at(k)];
+      const std::size_t k = next_constrained->second;
+      while (++next_constrained != constrained_.end() && next_constrained->first == h)
+        fault("M4", "/constrained_edges/" + std::to_string(next_constrained->second), "this edge is listed twice");
+      const ConstrainedEdge& edge = data_.constrained_edges[k];
       const Curve& curve = data_.boundary.curves[at(edge.curve)];
       const bool forward = origin(h) == edge.points.front();
       if ((forward ? curve.left : curve.right) != mine)
@@ -264,19 +255,18 @@ class Checker {
   TriangleId triangles_;
   std::vector<Fault> faults_;
   std::map<std::string, int> counts_;
-  const EdgeUses& uses_;
-  std::vector<HalfEdgeId> twins_;
-  std::vector<std::int32_t> constrained_;
+  const HalfEdges& half_edges_;
+  std::vector<std::pair<HalfEdgeId, std::size_t>> constrained_;  // with the number of the constrained edge
 };
 
 }  // namespace
 
 std::vector<Fault> check_structure(const MeshData& data, int limit) {
-  return check_structure(data, edge_uses(data), limit);
+  return check_structure(data, HalfEdges(data), limit);
 }
 
-std::vector<Fault> check_structure(const MeshData& data, const EdgeUses& uses, int limit) {
-  return Checker(data, uses, limit).run();
+std::vector<Fault> check_structure(const MeshData& data, const HalfEdges& half_edges, int limit) {
+  return Checker(data, half_edges, limit).run();
 }
 
 }  // namespace pliant

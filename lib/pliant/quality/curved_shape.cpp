@@ -15,7 +15,6 @@ namespace pliant {
 namespace {
 
 constexpr std::size_t at(int n) { return static_cast<std::size_t>(n); }
-constexpr double relative_width = 0.01, absolute_width = 1e-6;
 constexpr int greatest_depth = 60;
 constexpr int most_pieces = 4096;
 
@@ -104,7 +103,7 @@ class ShapeSearch {
   /// A bisection rounds each coefficient at most `degree` times.
   double error_at(int depth) const { return error_ + depth * degree_ * 0x1p-53 * greatest_; }
   bool is_enough(double bound) const {
-    return bound >= upper_ - std::max(relative_width * std::fabs(upper_), absolute_width);
+    return bound >= upper_ - std::max(shape_relative_width * std::fabs(upper_), shape_absolute_width);
   }
   void see(double n, double s, double error) {
     if (s > error) upper_ = std::min(upper_, std::numbers::sqrt3 * n / s);

@@ -1,5 +1,6 @@
 #pragma once  // lib/pliant/quality/element_forms.h: det J and the squared norm of the Jacobian, scaled (private here)
 #include <array>
+#include <cmath>
 #include <span>
 #include <vector>
 
@@ -36,6 +37,11 @@ double distortion(const ElementForms& forms);
 double curved_shape(const ElementForms& forms);
 double jacobian_peak(const ElementForms& forms);
 
+/// Of curved_shape: from its bound to the true minimum.
+inline constexpr double shape_relative_width = 0.01, shape_absolute_width = 1e-6;
+/// ElementForms::error for p = 2.
+inline constexpr double quadratic_error = (2 + 10) * 0x1p-53 * 16 * 4;
+
 /// Guaranteed enclosures of the extrema of det J, scaled as the forms are, to `relative_width` of the largest
 /// coefficient. NaN where the forms are not finite.
 struct FormRange {
@@ -43,6 +49,11 @@ struct FormRange {
 };
 FormRange jacobian_range(const ElementForms& forms, double relative_width);
 double scaled_jacobian(const ElementForms& forms, const FormRange& range);
+
+/// The angle in [0, pi] with this sine and cosine, up to a common factor; for small ones, most edges', the quotient.
+inline double turn_of(double sine, double cosine) {
+  return sine < 0x1p-28 * cosine ? sine / cosine : std::atan2(sine, cosine);
+}
 
 /// For each degree p, once: the triangles of the control net, as indices into it, counter-clockwise: first those that
 /// stand as the element does (its partial derivatives are their sides), in the order of NetLayout(p - 1), then those

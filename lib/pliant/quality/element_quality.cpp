@@ -42,7 +42,7 @@ double quadratic_turning(std::span<const Point> net) {
     turn *= 1 / size;
     if (cross(largest, turn) > 0 || (turn.y == 0 && turn.x < 0)) largest = turn;
   }
-  return std::atan2(largest.y, largest.x);
+  return turn_of(largest.y, largest.x);
 }
 
 }  // namespace

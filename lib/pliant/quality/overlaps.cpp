@@ -4,8 +4,8 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <map>
-#include <utility>
 
 #include "pliant/geometry/bernstein.h"
 #include "pliant/geometry/net_layout.h"
@@ -46,12 +46,13 @@ int crossings_to_the_right(std::span<const Point> polygon, const Point& from, in
 
 class OverlapSearch {
  public:
-  OverlapSearch(const MeshData& data, const EdgeUses& uses, int most)
-      : data_(data), uses_(uses), most_(at(std::max(most, 0))) {}
+  OverlapSearch(const MeshData& data, const HalfEdges& half_edges, int most)
+      : data_(data), half_edges_(half_edges), most_(at(std::max(most, 0))) {}
 
   Overlaps run() {
-    for (std::size_t e = 0; e < uses_.count(); ++e)
-      if (uses_.of(e).size() == 1) outer_.push_back(uses_.of(e)[0]);
+    const auto count = static_cast<HalfEdgeId>(3 * data_.triangle_faces.size());
+    for (HalfEdgeId h = 0; h < count; ++h)
+      if (half_edges_.twin(h) == none) outer_.push_back(h);
     find_crossing_edges();
     find_covered_loops();
     return std::move(result_);
@@ -72,18 +73,15 @@ class OverlapSearch {
       for (const PointId p : ids) edges.points.push_back(data_.points[at(p)]);
       half_edges.push_back(h);
     };
-    std::vector<std::pair<PointId, PointId>> listed;
+    std::vector<HalfEdgeId> listed;
     for (const ConstrainedEdge& edge : data_.constrained_edges) {
-      const auto around = uses_.between(data_, edge.points.front(), edge.points.back());
-      listed.push_back(std::minmax(edge.points.front(), edge.points.back()));
-      add_edge(edge.points, around.empty() ? none : around[0]);
+      const auto [forward, backward] = half_edges_.along(edge.points);
+      listed.insert(listed.end(), {forward, backward});
+      add_edge(edge.points, forward != none ? forward : backward);
     }
     std::ranges::sort(listed);
-    for (const HalfEdgeId h : outer_) {
-      const std::vector<PointId> ids = edge_ids(data_, h);
-      const std::pair<PointId, PointId> ends = std::minmax(ids.front(), ids.back());
-      if (!std::ranges::binary_search(listed, ends)) add_edge(ids, h);
-    }
+    for (const HalfEdgeId h : outer_)
+      if (!std::ranges::binary_search(listed, h)) add_edge(edge_ids(data_, h), h);
     const auto triangle = [](HalfEdgeId h) { return h == none ? none : triangle_of(h); };
     for (const Crossing& crossing : find_crossings(edges)) {
       const HalfEdgeId a = half_edges[crossing.first], b = half_edges[crossing.second];
@@ -97,17 +95,10 @@ class OverlapSearch {
   HalfEdgeId next_on_loop(HalfEdgeId h) {
     HalfEdgeId g = next(h);
     for (; budget_ > 0; --budget_) {
-      const auto [from, to] = ends_of(g);
-      const auto around = uses_.between(data_, from, to);
-      if (around.size() == 1) return g;
-      if (around.size() != 2) return none;
-      g = next(around[0] == g ? around[1] : around[0]);
+      if (half_edges_.twin(g) == none) return g;
+      g = next(half_edges_.twin(g));
     }
     return none;
-  }
-  std::pair<PointId, PointId> ends_of(HalfEdgeId h) const {
-    const PointId* corners = &data_.triangles[at(triangle_of(h)) * at(net_size(data_.degree))];
-    return {corners[edge_of(h)], corners[edge_of(next(h))]};
   }
 
   /// A point of the element just inside the middle of the half-edge.
@@ -136,7 +127,7 @@ class OverlapSearch {
     const Strips strips(boxes);
     std::map<HalfEdgeId, bool> is_passed;  // outer half-edges, whether their loop is done
     for (const HalfEdgeId h : outer_) is_passed.emplace_hint(is_passed.end(), h, false);
-    budget_ = static_cast<std::int64_t>(uses_.half_edges.size());
+    budget_ = 3 * std::ssize(data_.triangle_faces);
     for (const HalfEdgeId start : outer_) {
       if (is_passed[start]) continue;
       bool crosses = false;  // then the covering changes along the loop
@@ -154,7 +145,7 @@ class OverlapSearch {
   }
 
   const MeshData& data_;
-  const EdgeUses& uses_;
+  const HalfEdges& half_edges_;
   std::size_t most_;
   std::vector<HalfEdgeId> outer_;     // half-edges without another triangle, by the order of the edges
   std::vector<HalfEdgeId> crossing_;  // of edges that cross others, sorted
@@ -164,8 +155,8 @@ class OverlapSearch {
 
 }  // namespace
 
-Overlaps find_overlaps(const MeshData& data, const EdgeUses& uses, int most) {
-  return OverlapSearch(data, uses, most).run();
+Overlaps find_overlaps(const MeshData& data, const HalfEdges& half_edges, int most) {
+  return OverlapSearch(data, half_edges, most).run();
 }
 
 }  // namespace pliant

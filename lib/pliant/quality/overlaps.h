@@ -1,5 +1,5 @@
 #pragma once  // lib/pliant/quality/overlaps.h: does the mesh lie over itself? (private to this layer)
-#include "pliant/mesh/edge_uses.h"
+#include "pliant/mesh/half_edges.h"
 #include "pliant/quality/quality_report.h"
 
 namespace pliant {
@@ -17,6 +17,6 @@ struct Overlaps {
   std::int64_t count = 0;
   std::vector<OverlapPlace> places;
 };
-Overlaps find_overlaps(const MeshData& data, const EdgeUses& uses, int most);
+Overlaps find_overlaps(const MeshData& data, const HalfEdges& half_edges, int most);
 
 }  // namespace pliant

@@ -9,9 +9,8 @@
 
 #include "pliant/geometry/net_layout.h"
 #include "pliant/mesh/check_mesh.h"
-#include "pliant/mesh/edge_uses.h"
+#include "pliant/mesh/half_edges.h"
 #include "pliant/quality/duplicates.h"
-#include "pliant/quality/edge_curves.h"
 #include "pliant/quality/element_measures.h"
 #include "pliant/quality/field_figures.h"
 #include "pliant/quality/metric_summary.h"
@@ -51,14 +50,14 @@ class Reporter {
   QualityReport run(ElementFigures* elements) {
     report_.degree = data_.degree;
     report_.time = data_.time;
-    const EdgeUses uses = edge_uses(data_);
-    report_.faults = check_structure(data_, uses);
+    const HalfEdges half_edges(data_);
+    report_.faults = check_structure(data_, half_edges);
     report_.tangent_jump = tangent_jump(data_);
-    Overlaps overlaps = find_overlaps(data_, uses, options_.worst);
+    Overlaps overlaps = find_overlaps(data_, half_edges, options_.worst);
     report_.overlaps = overlaps.count;
     report_.overlap_places = std::move(overlaps.places);
     count_points();
-    assign_edges(uses);
+    assign_edges(half_edges);
     measure_elements(elements != nullptr);
     report_.fields = field_figures(data_, chosen_);
     for (int m = 0; m < metric_count; ++m) {
@@ -109,24 +108,20 @@ class Reporter {
 
   /// Every edge is one entry of its metric, at the first chosen triangle that has it; on the perimeter of a face are
   /// those that only one of its triangles has.
-  void assign_edges(const EdgeUses& uses) {
-    roles_.assign(uses.half_edges.size(), no_role);
-    std::int64_t count = 0;
-    for (std::size_t e = 0; e < uses.count(); ++e) {
-      const auto half_edges = uses.of(e);
-      const auto first = std::ranges::find_if(half_edges, [&](HalfEdgeId h) { return is_chosen(triangle_of(h)); });
-      if (first == half_edges.end()) continue;
-      ++count;
-      roles_[at(*first)] = of_edge;
-      for (const HalfEdgeId h : half_edges) {
-        const auto same_face = [&](HalfEdgeId g) {
-          return data_.triangle_faces[at(triangle_of(g))] == data_.triangle_faces[at(triangle_of(h))];
-        };
-        if (std::ranges::count_if(half_edges, same_face) == 1) roles_[at(h)] |= of_perimeter;
+  void assign_edges(const HalfEdges& half_edges) {
+    roles_.resize(3 * data_.triangle_faces.size());
+    std::size_t count = 0;
+    for (const TriangleId t : chosen_) {
+      for (int e = 0; e < 3; ++e) {
+        const HalfEdgeId h = half_edge(t, e), g = half_edges.twin(h);
+        const bool is_border = half_edges.is_border(h);
+        const bool is_first = g == none || h < g || (is_border && !is_chosen(triangle_of(g)));
+        roles_[at(h)] = static_cast<char>((is_first ? of_edge : no_role) | (is_border ? of_perimeter : no_role));
+        count += is_first ? 1 : 0;
       }
     }
-    columns_[edge_length_metric].reserve(at(count));
-    edge_triangles_.reserve(at(count));
+    columns_[edge_length_metric].reserve(count);
+    edge_triangles_.reserve(count);
   }
 
   void measure_elements(bool all_edges) {
@@ -134,51 +129,46 @@ class Reporter {
     for (int m = 0; m < metric_count; ++m)
       if (m != edge_length_metric) columns_[at(m)].resize(chosen_.size());
     validity_.resize(chosen_.size());
-    const auto most_listed = static_cast<std::int64_t>(std::max(options_.worst, 0));
-    for (std::size_t k = 0; k < chosen_.size(); ++k) {
-      const TriangleId t = chosen_[k];
-      const std::span<const Point> net = gather(t);
-      const ElementMeasures measures = measure_element(data_.boundary, data_.degree, net, options_.jacobian_width);
-      columns_[jacobian_metric][k] = measures.jacobian;
-      columns_[jacobian_max_metric][k] = measures.jacobian_max;
-      columns_[scaled_jacobian_metric][k] = measures.scaled_jacobian;
-      columns_[shape_metric][k] = measures.shape;
-      columns_[logical_tau_metric][k] = measures.logical_tau;
-      columns_[control_tau_metric][k] = measures.control_tau;
-      columns_[distortion_metric][k] = measures.distortion;
-      columns_[logical_angle_metric][k] = measures.logical_angle;
-      columns_[turning_angle_metric][k] = measures.turning_angle;
-      columns_[element_area_metric][k] = measures.area;
-      validity_[k] = measures.validity;
-      if (measures.validity == Validity::invalid && report_.invalid++ < most_listed)
-        report_.invalid_elements.push_back(t);
-      if (measures.validity == Validity::degenerate && report_.degenerate++ < most_listed)
-        report_.degenerate_elements.push_back(t);
-      FaceFigures& figures = figures_[at(data_.triangle_faces[at(t)])];
-      ++figures.triangles;
-      figures.area += measures.area;
-      report_.area += measures.area;
-      measure_edges(t, net, figures, all_edges);
-    }
+    const auto take_all = [&](std::size_t first, std::span<const ElementMeasures> measures) {
+      for (std::size_t k = 0; k < measures.size(); ++k) take(first + k, measures[k], all_edges);
+    };
+    pliant::measure_elements(data_, chosen_, options_.jacobian_width, take_all);
     report_.triangles = std::ssize(chosen_);
   }
 
-  void measure_edges(TriangleId t, std::span<const Point> net, FaceFigures& figures, bool all_edges) {
-    double shortest = HUGE_VAL, longest = 0;
+  void take(std::size_t k, const ElementMeasures& measures, bool all_edges) {
+    const TriangleId t = chosen_[k];
+    columns_[jacobian_metric][k] = measures.jacobian;
+    columns_[jacobian_max_metric][k] = measures.jacobian_max;
+    columns_[scaled_jacobian_metric][k] = measures.scaled_jacobian;
+    columns_[shape_metric][k] = measures.shape;
+    columns_[logical_tau_metric][k] = measures.logical_tau;
+    columns_[control_tau_metric][k] = measures.control_tau;
+    columns_[distortion_metric][k] = measures.distortion;
+    columns_[logical_angle_metric][k] = measures.logical_angle;
+    columns_[turning_angle_metric][k] = measures.turning_angle;
+    columns_[element_area_metric][k] = measures.area;
+    validity_[k] = measures.validity;
+    const auto most_listed = static_cast<std::int64_t>(std::max(options_.worst, 0));
+    if (measures.validity == Validity::invalid && report_.invalid++ < most_listed)
+      report_.invalid_elements.push_back(t);
+    if (measures.validity == Validity::degenerate && report_.degenerate++ < most_listed)
+      report_.degenerate_elements.push_back(t);
+    FaceFigures& figures = figures_[at(data_.triangle_faces[at(t)])];
+    ++figures.triangles;
+    figures.area += measures.area;
+    report_.area += measures.area;
     for (int e = 0; e < 3; ++e) {
       const char role = roles_[at(half_edge(t, e))];
-      if (role == no_role && !all_edges) continue;
-      const double length = edge_length(data_.degree, net, e);
-      shortest = std::min(shortest, length);
-      longest = std::max(longest, length);
+      const double length = measures.edge_length[at(e)];
       if ((role & of_perimeter) != 0) figures.perimeter += length;
       if ((role & of_edge) == 0) continue;
       columns_[edge_length_metric].push_back(length);
       edge_triangles_.push_back(t);
     }
     if (!all_edges) return;
-    shortest_.push_back(shortest);
-    longest_.push_back(longest);
+    shortest_.push_back(*std::ranges::min_element(measures.edge_length));
+    longest_.push_back(*std::ranges::max_element(measures.edge_length));
   }
 
   ElementFigures list_elements() {

@@ -1,0 +1,200 @@
+#include "pliant/mesh/half_edges.h"  // lib/pliant/mesh/half_edges.cpp: a fast way for sound meshes, and one for all others
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
+
+#include "pliant/geometry/net_layout.h"
+
+namespace pliant {
+namespace {
+
+template <class I>
+constexpr std::size_t at(I i) {
+  return static_cast<std::size_t>(i);
+}
+
+/// Are there equal ones? Most vertices have three higher neighbours.
+bool has_duplicates(std::span<PointId> ids) {
+  if (ids.size() > 12) {
+    std::ranges::sort(ids);
+    return std::ranges::adjacent_find(ids) != ids.end();
+  }
+  for (std::size_t i = 1; i < ids.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      if (ids[i] == ids[j]) return true;
+  return false;
+}
+
+}  // namespace
+
+HalfEdges::HalfEdges(const MeshData& data) : HalfEdges(data, data.degree == 1) {}
+HalfEdges HalfEdges::by_vertices(const MeshData& data) { return HalfEdges(data, true); }
+
+HalfEdges::HalfEdges(const MeshData& data, bool by_vertices)
+    : data_(&data), n_(at(net_size(data.degree))), count_(static_cast<HalfEdgeId>(3 * data.triangle_faces.size())) {
+  is_sound_ = !by_vertices && pair_by_inner_points() && is_each_star_simple() && is_each_edge_the_only_one();
+  if (!is_sound_) pair_by_vertices();
+}
+
+/// Memory is read at random here, so what comes next is asked for early: the entries of inner points, then what they
+/// name.
+void HalfEdges::fetch_for([[maybe_unused]] TriangleId t) const {
+#ifdef __GNUC__
+  constexpr TriangleId far = 16, near = 8;
+  const int inner = data_->degree - 1;
+  const auto first_use = [&](TriangleId u, int e) {
+    return &first_use_[at(data_->triangles[at(u) * n_ + 3 + at(e * inner)])];
+  };
+  for (int e = 0; 3 * (t + far) < count_ && e < 3; ++e) __builtin_prefetch(first_use(t + far, e), 1);
+  for (int e = 0; 3 * (t + near) < count_ && e < 3; ++e) {
+    const HalfEdgeId g = *first_use(t + near, e);
+    if (g == none) continue;
+    __builtin_prefetch(&data_->triangles[at(triangle_of(g)) * n_]);
+    __builtin_prefetch(&twins_[at(g)], 1);
+    __builtin_prefetch(&data_->triangle_faces[at(triangle_of(g))]);
+  }
+#endif
+}
+
+/// False as soon as M1 is broken. Twins share their inner control points, which nothing else has.
+bool HalfEdges::pair_by_inner_points() {
+  enum : char { unused = 0, corner = 1, inside_edge = 2, inside_triangle = 4 };
+  const NetLayout& layout = NetLayout::of(data_->degree);
+  const int inner = data_->degree - 1;
+  twins_.assign(at(count_), none);
+  borders_.assign(at(count_), true);
+  first_use_.assign(data_->points.size(), none);
+  std::vector<char> use(data_->points.size(), unused);
+  for (TriangleId t = 0; 3 * t < count_; ++t) {
+    fetch_for(t);
+    const PointId* const net = &data_->triangles[at(t) * n_];
+    for (int e = 0; e < 3; ++e) {
+      const PointId from = net[e], to = net[e == 2 ? 0 : e + 1];
+      use[at(from)] |= corner;
+      if (from == to) return false;
+      const HalfEdgeId h = half_edge(t, e);
+      const PointId* const points = net + 3 + e * inner;
+      const HalfEdgeId g = first_use_[at(points[0])];
+      for (int k = 0; k < inner; ++k) {
+        if (first_use_[at(points[k])] != g) return false;
+        use[at(points[k])] |= inside_edge;
+        first_use_[at(points[k])] = h;
+      }
+      if (g == none) continue;
+      const PointId* const others = &data_->triangles[at(triangle_of(g)) * n_] + 3 + edge_of(g) * inner;
+      if (twins_[at(g)] != none || origin(g) != to || target(g) != from) return false;
+      for (int k = 0; k < inner; ++k)
+        if (others[inner - 1 - k] != points[k]) return false;
+      twins_[at(g)] = h;
+      twins_[at(h)] = g;
+      if (data_->triangle_faces[at(triangle_of(g))] == data_->triangle_faces[at(t)])
+        borders_[at(g)] = borders_[at(h)] = false;
+    }
+    for (int k = layout.first_interior(); k < layout.size(); ++k) {
+      char& of_point = use[at(net[k])];
+      if (of_point != unused) return false;
+      of_point = inside_triangle;
+    }
+  }
+  // A point has one use, and only one kind of it.
+  if (!std::ranges::all_of(use, [](char u) { return u == corner || u == inside_edge || u == inside_triangle; }))
+    return false;
+  vertices_ = std::ranges::count(use, char{corner});
+  return true;
+}
+
+/// Around each vertex one disk or half-disk. Count each vertex once for every disk or half-disk around it: Euler's
+/// formula then holds for the surface that the triangles make, vertices - edges + triangles = 2 (components - genus) -
+/// loops. So at most 2 components - loops + edges - triangles disks there are, and where that is the number of
+/// vertices, each has one (and the genus is 0). Nothing has to be walked around for that but the loops.
+bool HalfEdges::is_each_star_simple() const {
+  const TriangleId triangles = count_ / 3;
+  std::vector<TriangleId> parent(at(triangles));  // a forest whose trees are the components
+  std::iota(parent.begin(), parent.end(), 0);
+  const auto root = [&parent](TriangleId t) {
+    while (parent[at(t)] != t) t = parent[at(t)] = parent[at(parent[at(t)])];
+    return t;
+  };
+  std::int64_t components = triangles, twice_edges = 0, loops = 0;
+  std::vector<bool> is_passed(at(count_));
+  for (HalfEdgeId h = 0; h < count_; ++h) {
+    const HalfEdgeId g = twins_[at(h)];
+    twice_edges += g == none ? 2 : 1;
+    if (g > h) {
+      const TriangleId a = root(triangle_of(h)), b = root(triangle_of(g));
+      components -= a != b ? 1 : 0;
+      parent[at(std::max(a, b))] = std::min(a, b);
+    }
+    if (g != none || is_passed[at(h)]) continue;
+    ++loops;
+    for (HalfEdgeId b = h; !is_passed[at(b)];) {
+      is_passed[at(b)] = true;
+      for (b = next(b); twins_[at(b)] != none;) b = next(twins_[at(b)]);
+    }
+  }
+  return 2 * components - loops + twice_edges / 2 - triangles == vertices_;
+}
+
+/// No two edges have the same two ends: sorted into buckets by their lower one.
+bool HalfEdges::is_each_edge_the_only_one() const {
+  const auto ends = [this](HalfEdgeId h) { return std::minmax({origin(h), target(h)}); };
+  const auto is_counted = [this](HalfEdgeId h) { return twin(h) == none || h < twin(h); };
+  std::vector<std::uint32_t> bucket(data_->points.size() + 1);
+  std::uint32_t edges = 0;
+  for (HalfEdgeId h = 0; h < count_; ++h) {
+    if (!is_counted(h)) continue;
+    ++edges;
+    ++bucket[at(ends(h).first)];
+  }
+  std::partial_sum(bucket.begin(), bucket.end(), bucket.begin());
+  std::vector<PointId> higher(edges);
+  for (HalfEdgeId h = 0; h < count_; ++h)
+    if (is_counted(h)) higher[at(--bucket[at(ends(h).first)])] = ends(h).second;
+  for (std::size_t v = 0; v + 1 < bucket.size(); ++v)
+    if (has_duplicates(std::span(higher).subspan(bucket[v], bucket[v + 1] - bucket[v]))) return false;
+  return true;
+}
+
+void HalfEdges::pair_by_vertices() {
+  first_use_.clear();
+  twins_.assign(at(count_), none);
+  for (std::size_t e = 0; e < uses().count(); ++e) {
+    const std::span<const HalfEdgeId> all = uses().of(e);
+    const HalfEdgeId h = all[0];
+    if (origin(h) == target(h)) continue;
+    const auto back = std::ranges::find_if(all, [&](HalfEdgeId g) { return origin(g) != origin(h); });
+    if (back == all.end()) continue;
+    for (const HalfEdgeId g : all) twins_[at(g)] = origin(g) == origin(h) ? *back : h;
+  }
+  borders_.assign(at(count_), true);
+  for (HalfEdgeId h = 0; h < count_; ++h)
+    if (twin(h) != none)
+      borders_[at(h)] = data_->triangle_faces[at(triangle_of(h))] != data_->triangle_faces[at(triangle_of(twin(h)))];
+}
+
+const EdgeUses& HalfEdges::uses() const {
+  if (!uses_) uses_ = edge_uses(*data_);
+  return *uses_;
+}
+
+std::array<HalfEdgeId, 2> HalfEdges::along(std::span<const PointId> edge) const {
+  std::array<HalfEdgeId, 2> found{none, none};
+  const auto see = [&](HalfEdgeId h) {
+    const bool forward = origin(h) == edge.front() && target(h) == edge.back();
+    const bool backward = origin(h) == edge.back() && target(h) == edge.front();
+    if (forward && found[0] == none) found[0] = h;
+    if (backward && found[1] == none) found[1] = h;
+  };
+  if (is_sound_) {
+    const HalfEdgeId h = first_use_[at(edge[1])];
+    if (h != none) see(h);
+    if (h != none && twin(h) != none) see(twin(h));
+    if (found[0] != none || found[1] != none) return found;
+  }
+  for (const HalfEdgeId h : uses().between(*data_, edge.front(), edge.back())) see(h);
+  return found;
+}
+
+}  // namespace pliant
