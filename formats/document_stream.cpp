@@ -123,12 +123,13 @@ struct DocumentStream::State {
     }
   }
 
-  /// The bytes of a regular file, from its first one on; none if it is no such file.
-  std::string_view map_file() {
+  /// The bytes of a regular file that starts like this, unless something has been read; otherwise none.
+  std::string_view map_file(std::string_view start) {
     struct stat status {};
     const int file = fileno(stream);
-    if (file < 0 || ::fstat(file, &status) != 0 || !S_ISREG(status.st_mode) || status.st_size == 0 ||
-        ::lseek(file, 0, SEEK_CUR) != 0)
+    std::string first(start.size(), '\0');
+    if (file < 0 || ::fstat(file, &status) != 0 || !S_ISREG(status.st_mode) || ::lseek(file, 0, SEEK_CUR) != 0 ||
+        ::pread(file, first.data(), first.size(), 0) != static_cast<ssize_t>(first.size()) || first != start)
       return {};
     mapped_size = static_cast<std::size_t>(status.st_size);
     mapped = ::mmap(nullptr, mapped_size, PROT_READ, MAP_PRIVATE, file, 0);
@@ -200,7 +201,7 @@ bool DocumentStream::next(std::string_view& document) {
 
 std::string_view DocumentStream::all_if(std::string_view start) {
   State& s = *state_;
-  if (const std::string_view bytes = s.map_file(); bytes.substr(0, start.size()) == start) return bytes;
+  if (const std::string_view bytes = s.map_file(start); !bytes.empty()) return bytes;
   while (s.end - s.begin < start.size() && s.fill()) continue;
   if (std::string_view(s.buffer.get() + s.begin, s.end - s.begin).substr(0, start.size()) != start) return {};
   while (s.fill()) continue;

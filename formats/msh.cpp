@@ -33,12 +33,11 @@ class Import {
     else
       take_nets(file_, mesh());
     if (options_.orient) turned_ = orient_triangles(mesh());
-    PointUses uses;
-    const std::vector<OpenEdge> edges = pair_edges(mesh(), !is_mixed, uses);
+    const EdgeFindings findings = pair_edges(mesh(), !is_mixed);
     require_finite();
-    warn_of_clockwise();
-    drop_unused(uses);
-    for (std::string& text : trace_curves(file_, edges, mesh())) warn(std::move(text));
+    warn_of_clockwise(findings);
+    drop_unused(findings.uses);
+    for (std::string& text : trace_curves(file_, findings.open, mesh())) warn(std::move(text));
     warn_of_the_rest();
     result_.elements = std::move(file_.triangle_tags);
     std::uint64_t next_tag = file_.tags.highest() + 1;
@@ -193,23 +192,17 @@ class Import {
             "its control point is not finite: the triangles share nodes that they should not");
   }
 
-  void warn_of_clockwise() {
-    const std::size_t size = at(net_size(mesh().degree)), all = mesh().triangle_faces.size();
-    std::size_t count = 0, first = 0;
-    for (std::size_t t = 0; t < all; ++t) {
-      const PointId* net = &mesh().triangles[t * size];
-      const Point& a = mesh().points[at(net[0])];
-      if (cross(mesh().points[at(net[1])] - a, mesh().points[at(net[2])] - a) < 0 && count++ == 0) first = t;
-    }
+  void warn_of_clockwise(const EdgeFindings& findings) {
+    const std::size_t count = findings.clockwise, all = mesh().triangle_faces.size();
     if (turned_ > 0) warn(count_of(turned_, "triangle") + " turned to run counter-clockwise");
     if (count > 0)
       warn(std::to_string(count) + " of " + count_of(all, "triangle") + (count == 1 ? " runs" : " run") +
-           " clockwise (first: element " + std::to_string(file_.triangle_tags.tag_of(first)) + ")" +
+           " clockwise (first: element " + std::to_string(file_.triangle_tags.tag_of(findings.first_clockwise)) + ")" +
            (options_.orient ? " among neighbours that do not" : "; import-msh --orient turns whole parts that do"));
   }
 
   /// Nodes of no triangle: points of the geometry, of other elements.
-  void drop_unused(const PointUses& uses) {
+  void drop_unused(const std::vector<std::int32_t>& uses) {
     result_.nodes = file_.tags.all();
     if (std::find(uses.begin(), uses.end(), unused_point) == uses.end()) return;
     result_.nodes = {};

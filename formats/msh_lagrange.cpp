@@ -17,22 +17,29 @@ std::size_t at(I i) {
 constexpr std::int32_t taken = -2;   // a corner, inner point, or point of an edge that needs no looking for
 constexpr std::int32_t paired = -3;  // stands for an edge whose two triangles are known
 
+void count_clockwise(const MeshData& mesh, const PointId* net, std::size_t t, EdgeFindings& findings) {
+  const Point& a = mesh.points[at(net[0])];
+  if (cross(mesh.points[at(net[1])] - a, mesh.points[at(net[2])] - a) < 0 && findings.clockwise++ == 0)
+    findings.first_clockwise = t;
+}
+
 /// Walks all nets once. The first point inside an edge stands for the edge (of the two at its ends the one with the
 /// lower number, so that both triangles name the same): which half-edge came first is kept there, and the conversion is
 /// done when that one comes.
 class EdgeWalk {
  public:
-  EdgeWalk(MeshData& mesh, PointUses& uses)
-      : mesh_(mesh), layout_(NetLayout::of(mesh.degree)), uses_(uses), triangles_(mesh.triangle_faces.size()) {
-    uses_.assign(mesh.points.size(), unused_point);
-  }
+  EdgeWalk(MeshData& mesh, EdgeFindings& findings)
+      : mesh_(mesh), layout_(NetLayout::of(mesh.degree)), findings_(findings), uses_(findings.uses) {}
 
   template <int fixed_degree, bool convert>
-  std::vector<OpenEdge> run() {
+  void run() {
     const int degree = fixed_degree > 0 ? fixed_degree : mesh_.degree;
     const std::size_t size = at(net_size(degree));
+    const std::size_t triangles = mesh_.triangle_faces.size();
     const PointId* net = mesh_.triangles.data();
-    for (std::size_t t = 0; t < triangles_; ++t, net += size) {
+    for (std::size_t t = 0; t < triangles; ++t, net += size) {
+      if (t + ahead < triangles) fetch(net + ahead * size, 3 * degree);
+      count_clockwise(mesh_, net, t, findings_);
       for (int e = 0; e < 3; ++e) uses_[at(net[e])] = taken;
       for (int e = 0; e < 3; ++e) {
         const PointId first = net[3 + e * (degree - 1)], last = net[3 + e * (degree - 1) + degree - 2];
@@ -54,11 +61,20 @@ class EdgeWalk {
       }
       if (fixed_degree != 2 && degree > 2) take_interior<convert>(net, degree);
     }
-    collect_single();
-    return std::move(open_);
+    for (const std::int32_t use : uses_)
+      if (use >= 0) findings_.open.push_back({use, none});
   }
 
  private:
+  /// The points of triangles lie anywhere: those needed soon are asked for, so that they are here when they are.
+  static constexpr std::size_t ahead = 12;
+  void fetch(const PointId* net, int count) const {
+    for (int k = 0; k < count; ++k) {
+      __builtin_prefetch(&uses_[at(net[k])], 1);
+      __builtin_prefetch(&mesh_.points[at(net[k])], 1);
+    }
+  }
+
   void convert_middle(PointId middle, PointId a, PointId b) {
     Point& m = mesh_.points[at(middle)];
     const Point& p = mesh_.points[at(a)];
@@ -105,19 +121,13 @@ class EdgeWalk {
 
   void pair(HalfEdgeId h, HalfEdgeId g) {
     const FaceId mine = mesh_.triangle_faces[at(triangle_of(h))], other = mesh_.triangle_faces[at(triangle_of(g))];
-    if (mine != other) open_.push_back(mine < other ? OpenEdge{h, g} : OpenEdge{g, h});
-  }
-
-  void collect_single() {
-    for (const std::int32_t use : uses_)
-      if (use >= 0) open_.push_back({use, none});
+    if (mine != other) findings_.open.push_back(mine < other ? OpenEdge{h, g} : OpenEdge{g, h});
   }
 
   MeshData& mesh_;
   const NetLayout& layout_;
-  PointUses& uses_;
-  std::size_t triangles_;
-  std::vector<OpenEdge> open_;
+  EdgeFindings& findings_;
+  std::vector<std::int32_t>& uses_;
 };
 
 /// Where a file has two edges between the same vertices, with other points inside: they are no boundary (but a fault,
@@ -211,30 +221,32 @@ std::vector<HalfEdgeId> twins_by_vertices(const MeshData& mesh) {
   return twins;
 }
 
-std::vector<OpenEdge> pair_edges(MeshData& mesh, bool convert, PointUses& uses) {
-  std::vector<OpenEdge> open;
+EdgeFindings pair_edges(MeshData& mesh, bool convert) {
+  EdgeFindings findings;
+  findings.uses.assign(mesh.points.size(), unused_point);
   if (mesh.degree > 1) {
-    EdgeWalk walk(mesh, uses);
+    EdgeWalk walk(mesh, findings);
     if (mesh.degree == 2)
-      open = convert ? walk.run<2, true>() : walk.run<2, false>();
+      convert ? walk.run<2, true>() : walk.run<2, false>();
     else
-      open = convert ? walk.run<0, true>() : walk.run<0, false>();
-    pair_by_ends(mesh, open);
-    return open;
+      convert ? walk.run<0, true>() : walk.run<0, false>();
+    pair_by_ends(mesh, findings.open);
+    return findings;
   }
-  uses.assign(mesh.points.size(), unused_point);
-  for (const PointId p : mesh.triangles) uses[at(p)] = taken;
+  for (const PointId p : mesh.triangles) findings.uses[at(p)] = taken;
+  for (std::size_t t = 0; t < mesh.triangle_faces.size(); ++t)
+    count_clockwise(mesh, &mesh.triangles[3 * t], t, findings);
   const std::vector<HalfEdgeId> twins = twins_by_vertices(mesh);
   for (std::size_t k = 0; k < twins.size(); ++k) {
     const auto h = static_cast<HalfEdgeId>(k);
     const HalfEdgeId g = twins[k];
     const FaceId mine = mesh.triangle_faces[at(triangle_of(h))];
     if (g == none)
-      open.push_back({h, none});
+      findings.open.push_back({h, none});
     else if (mine < mesh.triangle_faces[at(triangle_of(g))])
-      open.push_back({h, g});
+      findings.open.push_back({h, g});
   }
-  return open;
+  return findings;
 }
 
 }  // namespace pliant

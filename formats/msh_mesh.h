@@ -22,13 +22,19 @@ void take_nets(MshFile& file, MeshData& mesh);
 /// edges that two triangles share are not the same curve in both, otherwise an empty text.
 std::string take_mixed_nets(MshFile& file, MeshData& mesh);
 
-/// What each point is used for, after `pair_edges`.
-using PointUses = std::vector<std::int32_t>;
 inline constexpr std::int32_t unused_point = -1;
+
+/// What one walk over all triangles finds.
+struct EdgeFindings {
+  std::vector<OpenEdge> open;
+  std::vector<std::int32_t> uses;  ///< for each point: unused_point, or what it serves for in the walk
+  std::size_t clockwise = 0;       ///< triangles whose corners run clockwise
+  std::size_t first_clockwise = 0;
+};
 
 /// Finds the edges that must lie on curves, and with `convert` turns the Lagrange nodes of all nets into Bézier control
 /// points, each edge once, in one direction, so that both its triangles see the same bits.
-std::vector<OpenEdge> pair_edges(MeshData& mesh, bool convert, PointUses& uses);
+EdgeFindings pair_edges(MeshData& mesh, bool convert);
 /// The other triangle's half-edge between the same two vertices, in whichever direction; none where there is none.
 /// Of three and more triangles at an edge two are paired, and the others are their own.
 /// Complexity  O(half-edges) unless vertices have huge stars
