@@ -53,8 +53,10 @@ struct Metric {
   std::string_view name, title;
   double (*value)(int degree, Net net);
 };
-const std::array<Metric, 10> metrics{{
+const std::array<Metric, 11> metrics{{
     {"jacobian", "least det J of the element", [](int p, Net net) { return jacobian_range(p, net).least.lower; }},
+    {"jacobian_max", "largest det J of the element",
+     [](int p, Net net) { return jacobian_range(p, net).greatest.upper; }},
     {"scaled_jacobian", "scaled Jacobian", scaled_jacobian},
     {"shape", "least shape τ of the element", curved_shape},
     {"logical_tau", "shape τ of the logical triangle",
@@ -69,9 +71,9 @@ const std::array<Metric, 10> metrics{{
      [](int p, Net net) { return of_edges(p, net, curve_length, false); }},
     {"element_area", "element area", [](int p, Net net) { return element_area(p, net); }},
 }};
-constexpr std::array<std::string_view, 10> names{"jacobian",    "scaled_jacobian", "shape",         "logical_tau",
-                                                 "control_tau", "distortion",      "logical_angle", "turning_angle",
-                                                 "edge_length", "element_area"};
+constexpr std::array<std::string_view, 11> names{"jacobian",      "jacobian_max", "scaled_jacobian", "shape",
+                                                 "logical_tau",   "control_tau",  "distortion",      "logical_angle",
+                                                 "turning_angle", "edge_length",  "element_area"};
 
 std::span<const PointId> net_of(const MeshData& mesh, TriangleId t) {
   const auto size = static_cast<std::size_t>(net_size(mesh.degree));

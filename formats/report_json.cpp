@@ -27,6 +27,34 @@ void write_integers(JsonWriter& json, const char* name, const Integers& integers
   json.end_array();
 }
 
+void write_bad_elements(JsonWriter& json, const std::string& kind, const std::vector<BadElement>& elements) {
+  json.name(kind + "_elements").begin_array();
+  for (const BadElement& element : elements) json.value(element.triangle);
+  json.end_array();
+  json.name(kind + "_places").begin_array();
+  for (const BadElement& element : elements) {
+    json.begin_array();
+    write_value(json, element.centroid.x);
+    write_value(json, element.centroid.y);
+    json.end_array();
+  }
+  json.end_array();
+}
+
+void write_overlap_places(JsonWriter& json, const std::vector<OverlapPlace>& places) {
+  json.name("overlap_places").begin_array();
+  for (const OverlapPlace& overlap : places) {
+    json.begin_object();
+    json.name("triangles").begin_array();
+    for (const TriangleId t : {overlap.first, overlap.second})
+      if (t != none) json.value(t);
+    json.end_array();
+    write_values(json, "at", {overlap.place.x, overlap.place.y});
+    json.end_object();
+  }
+  json.end_array();
+}
+
 void write_faults(JsonWriter& json, const std::vector<Fault>& faults) {
   json.name("faults").begin_array();
   for (const Fault& fault : faults) {
@@ -108,9 +136,12 @@ void write_report(const QualityReport& report, std::string& out) {
   write_value(json.name("area"), report.area);
   json.name("invalid").value(report.invalid);
   json.name("degenerate").value(report.degenerate);
-  write_integers(json, "invalid_elements", report.invalid_elements);
-  write_integers(json, "degenerate_elements", report.degenerate_elements);
+  write_bad_elements(json, "invalid", report.invalid_elements);
+  write_bad_elements(json, "degenerate", report.degenerate_elements);
   json.name("overlaps").value(report.overlaps);
+  write_overlap_places(json, report.overlap_places);
+  json.name("duplicate_points").value(report.duplicate_points);
+  json.name("unused_points").value(report.unused_points);
   write_faults(json, report.faults);
   json.name("tangent_jump");
   if (report.tangent_jump)

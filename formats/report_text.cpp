@@ -92,12 +92,31 @@ void print_counts(std::string& out, const QualityReport& report) {
 }
 
 void print_elements(std::string& out, const std::string& what, std::int64_t count,
-                    const std::vector<TriangleId>& shown) {
+                    const std::vector<BadElement>& shown) {
   if (shown.empty()) return;
-  std::string list = what + ":";
-  for (const TriangleId t : shown) list += " " + std::to_string(t);
+  std::string list = what + ", with the places of their centres:";
+  for (const BadElement& element : shown)
+    list += " " + std::to_string(element.triangle) + "(" + number(element.centroid.x) + "," +
+            number(element.centroid.y) + ")";
   if (count > static_cast<std::int64_t>(shown.size())) list += " ...";
   print_wrapped(out, list, 0, 2);
+}
+
+void print_overlaps(std::string& out, const QualityReport& report) {
+  for (const OverlapPlace& overlap : report.overlap_places) {
+    std::string text = "overlap at (" + number(overlap.place.x) + ", " + number(overlap.place.y) + "): ";
+    if (overlap.first == none || overlap.second == none)
+      text += overlap.first == none ? "curves cross"
+                                    : "triangle " + std::to_string(overlap.first) + " lies on another part of the mesh";
+    else
+      text +=
+          "edges of triangles " + std::to_string(overlap.first) + " and " + std::to_string(overlap.second) + " meet";
+    print_wrapped(out, text, 0, 2);
+  }
+  if (report.duplicate_points > 0)
+    print_wrapped(out, std::to_string(report.duplicate_points) + " vertices are at the place of another one", 0, 2);
+  if (report.unused_points > 0)
+    print_wrapped(out, std::to_string(report.unused_points) + " points are in no triangle", 0, 2);
 }
 
 void print_faces(std::string& out, const std::vector<FaceFigures>& faces) {
@@ -162,6 +181,7 @@ void write_report_text(const QualityReport& report, const std::string& title, st
   print_elements(out, "degenerate", report.degenerate, report.degenerate_elements);
   for (const Fault& fault : report.faults)
     print_wrapped(out, fault.invariant + " " + fault.place + ": " + fault.text, 0, 2);
+  print_overlaps(out, report);
   print_faces(out, report.faces);
   print_fields(out, report.fields);
   print_metrics(out, report.metrics);

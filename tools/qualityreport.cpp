@@ -1,4 +1,6 @@
+// tools/qualityreport.cpp: measures meshes and writes what it found, for eyes, scripts and makefiles
 #include <CLI/CLI.hpp>
+#include <charconv>
 #include <limits>
 #include <stdexcept>
 
@@ -8,7 +10,7 @@
 #include "formats/report_json.h"
 #include "formats/report_text.h"
 #include "pliant/quality/condition.h"
-#include "pliant/quality/quality_report.h"  // tools/qualityreport.cpp
+#include "pliant/quality/quality_report.h"
 
 namespace {
 
@@ -21,6 +23,17 @@ CLI::Validator count_up_to(int most) {
         const bool is_count = !text.empty() && text.size() < 9 && (text == "0" || text[0] != '0') &&
                               text.find_first_not_of("0123456789") == std::string::npos && std::stoi(text) <= most;
         return is_count ? std::string() : "'" + text + "' is not a number from 0 to " + std::to_string(most);
+      },
+      "");
+}
+
+CLI::Validator width_of_bounds() {
+  return CLI::Validator(
+      [](std::string& text) {
+        double width = 0;
+        const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), width);
+        const bool is_width = error == std::errc() && end == text.data() + text.size() && width > 0 && width <= 1;
+        return is_width ? std::string() : "'" + text + "' is not a number above 0 and at most 1";
       },
       "");
 }
@@ -46,6 +59,11 @@ struct ReportOptions {
     app.add_option("--bins", quality.bins, "bins of the histograms; 0: none")
         ->type_name("N")
         ->check(count_up_to(100'000))
+        ->capture_default_str();
+    app.add_option("--jacobian-width", quality.jacobian_width,
+                   "how far the bounds of det J may be off, relative to its largest coefficient")
+        ->type_name("W")
+        ->check(width_of_bounds())
         ->capture_default_str();
     app.add_option("--face", quality.faces, "measure this face only; repeatable")
         ->type_name("NAME")

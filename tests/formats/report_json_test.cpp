@@ -49,13 +49,19 @@ TEST_CASE("the members of the report stand in the documented order", "[formats]"
                                           "invalid",
                                           "degenerate",
                                           "invalid_elements",
+                                          "invalid_places",
                                           "degenerate_elements",
+                                          "degenerate_places",
                                           "overlaps",
+                                          "overlap_places",
+                                          "duplicate_points",
+                                          "unused_points",
                                           "faults",
                                           "tangent_jump",
                                           "faces",
                                           "fields",
                                           "jacobian",
+                                          "jacobian_max",
                                           "scaled_jacobian",
                                           "shape",
                                           "logical_tau",
@@ -94,7 +100,7 @@ TEST_CASE("the numbers of the report read back to the same doubles", "[formats]"
 }
 
 TEST_CASE("what does not exist is null", "[formats]") {
-  const nlohmann::ordered_json empty = written(report_quality(MeshData{}, {5, 0, {}}));
+  const nlohmann::ordered_json empty = written(report_quality(MeshData{}, {5, 0, {}, 1e-3}));
   CHECK(empty["tangent_jump"].is_null());
   CHECK(empty["shape"]["min"].is_null());
   CHECK(empty["shape"]["histogram"].is_null());

@@ -15,7 +15,7 @@ struct Scalar {
   std::string_view name;
   double (*value)(const QualityReport&);
 };
-constexpr std::array<Scalar, 11> scalars{
+constexpr std::array<Scalar, 13> scalars{
     {{"triangles", [](const QualityReport& r) { return static_cast<double>(r.triangles); }},
      {"vertices", [](const QualityReport& r) { return static_cast<double>(r.vertices); }},
      {"control_points", [](const QualityReport& r) { return static_cast<double>(r.control_points); }},
@@ -25,6 +25,8 @@ constexpr std::array<Scalar, 11> scalars{
      {"invalid", [](const QualityReport& r) { return static_cast<double>(r.invalid); }},
      {"degenerate", [](const QualityReport& r) { return static_cast<double>(r.degenerate); }},
      {"overlaps", [](const QualityReport& r) { return static_cast<double>(r.overlaps); }},
+     {"duplicate_points", [](const QualityReport& r) { return static_cast<double>(r.duplicate_points); }},
+     {"unused_points", [](const QualityReport& r) { return static_cast<double>(r.unused_points); }},
      {"faults", [](const QualityReport& r) { return static_cast<double>(r.faults.size()); }},
      {"tangent_jump", [](const QualityReport& r) { return r.tangent_jump.value_or(NAN); }}}};
 

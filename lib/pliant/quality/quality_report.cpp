@@ -149,11 +149,8 @@ class Reporter {
     columns_[turning_angle_metric][k] = measures.turning_angle;
     columns_[element_area_metric][k] = measures.area;
     validity_[k] = measures.validity;
-    const auto most_listed = static_cast<std::int64_t>(std::max(options_.worst, 0));
-    if (measures.validity == Validity::invalid && report_.invalid++ < most_listed)
-      report_.invalid_elements.push_back(t);
-    if (measures.validity == Validity::degenerate && report_.degenerate++ < most_listed)
-      report_.degenerate_elements.push_back(t);
+    if (measures.validity == Validity::invalid) list(t, report_.invalid, report_.invalid_elements);
+    if (measures.validity == Validity::degenerate) list(t, report_.degenerate, report_.degenerate_elements);
     FaceFigures& figures = figures_[at(data_.triangle_faces[at(t)])];
     ++figures.triangles;
     figures.area += measures.area;
@@ -169,6 +166,10 @@ class Reporter {
     if (!all_edges) return;
     shortest_.push_back(*std::ranges::min_element(measures.edge_length));
     longest_.push_back(*std::ranges::max_element(measures.edge_length));
+  }
+
+  void list(TriangleId t, std::int64_t& count, std::vector<BadElement>& listed) {
+    if (count++ < std::max(options_.worst, 100)) listed.push_back({t, barycentre(t)});
   }
 
   ElementFigures list_elements() {

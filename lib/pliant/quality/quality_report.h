@@ -25,6 +25,11 @@ struct MetricSummary {
   std::vector<std::int64_t> histogram;  ///< equal bins; the last one holds its upper end, too
   std::vector<WorstElement> worst;      ///< worst first; for lengths and areas the smallest, for turning the largest
 };
+/// An element that is not valid.
+struct BadElement {
+  TriangleId triangle;
+  Point centroid;  ///< where its barycentre lies
+};
 /// Where the mesh lies over itself.
 struct OverlapPlace {
   TriangleId first;   ///< with an edge that crosses or touches one of `second`, or beside which the mesh lies on itself
@@ -48,7 +53,7 @@ struct QualityReport {
   int degree = 0;
   double time = 0, area = 0;
   std::int64_t invalid = 0, degenerate = 0;
-  std::vector<TriangleId> invalid_elements, degenerate_elements;  ///< the first `worst` of each
+  std::vector<BadElement> invalid_elements, degenerate_elements;  ///< the first 100 of each, or `worst` if that is more
   /// Pairs of boundary edges that meet elsewhere than at a common vertex (at most a million are counted), and boundary
   /// loops whose inner side is not covered just once.
   std::int64_t overlaps = 0;
