@@ -239,7 +239,6 @@ TEST_CASE("clockwise triangles are counted, and turned on request, but not tangl
   MshSample one = msh_of(mesh);
   one.elements.back() = sample.elements.back();
   CHECK(!check_structure(read(one).mesh).empty());
-  CHECK(as_json(read(one, {true}).mesh).size() > 0);
   CHECK(find_invalid(read(one, {true}).mesh).empty());
   MshSample tangled = msh_of(mesh);
   tangled.nodes[0].x = 3;  // the middle vertex
