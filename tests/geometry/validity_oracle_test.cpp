@@ -32,7 +32,8 @@ constexpr int stride = 1;
 std::vector<Point> in_doubles(const IntegerNet& net, int exponent = 0) {
   std::vector<Point> result;
   for (const auto& [x, y] : net) {
-    if (std::abs(x) > (1LL << 53) || std::abs(y) > (1LL << 53)) FAIL("not exact in doubles");
+    for (const std::int64_t c : {x, y})
+      if (static_cast<std::int64_t>(static_cast<double>(c)) != c) FAIL("not exact in doubles");
     result.push_back({std::ldexp(static_cast<double>(x), exponent), std::ldexp(static_cast<double>(y), exponent)});
   }
   return result;
@@ -146,11 +147,13 @@ TEST_CASE("100,000 linear elements have the sign of their area", "[geometry][ora
   Tally tally;
   for (std::uint64_t seed = 0; seed < 100000; seed += stride) {
     Draw draw(seed);
-    IntegerNet net = random_net(1, draw);
-    if (seed % 2 == 1) net = nearly(net, draw);
+    IntegerNet net = seed / stride % 4 == 0 ? unbalanced_net(1, draw) : random_net(1, draw);
+    if (seed / stride % 4 == 1) net = nearly(net, draw);
     const Wide area =
         Wide(net[1][0] - net[0][0]) * (net[2][1] - net[0][1]) - Wide(net[1][1] - net[0][1]) * (net[2][0] - net[0][0]);
-    tally.compare(1, net, {sign_of(area), Place::corner}, 0, seed);
+    const int sign = sign_of(area);
+    if (seed / stride % 4 == 2) shear_far(net, draw);
+    tally.compare(1, net, {sign, Place::corner}, 0, seed);
   }
   INFO(tally.text());
   for (const int sign : {-1, 0, 1}) check_populated(tally, sign, Place::corner, 5000);
@@ -161,21 +164,12 @@ TEST_CASE("500,000 quadratic elements have the sign of their exact minimum", "[g
   Tally tally;
   for (std::uint64_t seed = 0; seed < 500000; seed += stride) {
     Draw draw(seed);
-    IntegerNet net;
-    switch (seed / stride % 8) {
-      case 0:
-        net = tilted_power(2, draw).net;
-        break;
-      case 1:
-        net = nearly(random_net(2, draw), draw);
-        break;
-      default:
-        net = random_net(2, draw);
-    }
-    const bool is_long = seed / stride % 8 == 1;
-    tally.compare(2, net,
-                  is_long || seed / stride % 8 == 0 ? quadratic_truth<Fixed<512>>(net) : quadratic_truth<Wide>(net), 0,
-                  seed);
+    const std::uint64_t kind = seed / stride % 8;
+    IntegerNet net = kind == 0 ? tilted_power(2, draw).net : kind == 1 ? unbalanced_net(2, draw) : random_net(2, draw);
+    if (kind == 3) net = nearly(net, draw);
+    const Truth truth = kind < 2 || kind == 3 ? quadratic_truth<Fixed<512>>(net) : quadratic_truth<Wide>(net);
+    if (kind % 2 == 0) shear_far(net, draw);
+    tally.compare(2, net, truth, 0, seed);
   }
   INFO(tally.text());
   for (const Place place : {Place::corner, Place::edge, Place::face}) {
@@ -197,12 +191,15 @@ TEST_CASE("400,000 elements of degree 3 to 6 have the sign of their exact minimu
     if (kind >= 16) {
       random.compare_enclosed(degree, random_net(degree, draw), seed);
     } else if (kind >= 14) {
-      random.compare_long(degree, nearly(random_net(degree, draw), draw), seed);
+      const bool is_near = draw.one_in(2);
+      random.compare_long(degree, is_near ? nearly(random_net(degree, draw), draw) : unbalanced_net(degree, draw),
+                          seed);
     } else {
       KnownElement element = kind >= 6   ? strip(degree, draw)
                              : kind >= 2 ? tilted_power(degree, draw)
                                          : many_roots(degree, draw);
-      if (draw.one_in(2)) map_affinely(element, draw);
+      if (draw.one_in(3)) map_affinely(element, draw);
+      if (draw.one_in(3)) shear_far(element.net, draw);
       known.compare(degree, element.net, element.truth, element.minimum, seed);
     }
   }

@@ -226,6 +226,43 @@ inline void map_affinely(KnownElement& element, Draw& draw) {
   element.minimum *= static_cast<double>(m[0] * m[3] - m[1] * m[2]);
 }
 
+/// The same after shears in turn, until coordinates are as long as doubles hold: det J stays what it was, to the last
+/// unit, of products of 100 bits that cancel.
+inline void shear_far(IntegerNet& net, Draw& draw) {
+  std::int64_t m[2][2] = {{1, 0}, {0, 1}};
+  std::int64_t extent = 1;
+  for (const auto& [x, y] : net) extent = std::max({extent, std::abs(x), std::abs(y)});
+  const auto longest = [&] {
+    return std::max(std::abs(m[0][0]) + std::abs(m[0][1]), std::abs(m[1][0]) + std::abs(m[1][1]));
+  };
+  for (std::size_t row = 0; longest() <= (std::int64_t{1} << 50) / extent; row = 1 - row) {
+    const int k = draw.integer(1, 3);
+    for (std::size_t c = 0; c < 2; ++c) m[row][c] += k * m[1 - row][c];
+  }
+  for (auto& [x, y] : net) {
+    const std::int64_t image[2] = {m[0][0] * x + m[0][1] * y, m[1][0] * x + m[1][1] * y};
+    x = image[0], y = image[1];
+  }
+}
+
+/// Some control points near the origin, the others far, all on one ray, each exact in doubles, their differences not:
+/// so the signs that floating point gives are noise.
+inline IntegerNet unbalanced_net(int p, Draw& draw) {
+  const auto mantissa = [&] {
+    return (std::int64_t{1} << 52) + (std::int64_t{draw.integer(0, 1 << 25)} << 26) + draw.integer(0, 1 << 26);
+  };
+  const std::int64_t far[2] = {mantissa() * 128, mantissa() * 128};
+  IntegerNet net;
+  for (int n = 0; n < net_size(p); ++n) {
+    const int factor = n == 0 ? 0 : draw.integer(0, 2);
+    if (factor == 0)
+      net.push_back({draw.integer(-999, 999), draw.integer(-999, 999)});
+    else
+      net.push_back({factor * far[0], factor * far[1]});
+  }
+  return net;
+}
+
 /// A straight triangle whose control points move by small integers; some with two edges in line at a corner, with a
 /// collapsed edge, or collapsed altogether.
 inline IntegerNet random_net(int p, Draw& draw) {

@@ -84,8 +84,14 @@ constexpr auto product_targets() {
   return targets;
 }
 
-/// The same without loops, which is faster as long as it is short.
+/// Up to this degree of elements without loops, which is faster as long as it is short. (With checks in every access
+/// the long ones take half a minute to compile.)
+#ifdef NDEBUG
 constexpr int most_unrolled = 5;
+#else
+constexpr int most_unrolled = 3;
+#endif
+
 template <int degree>
 void multiply_unrolled(const Vector* a, const Vector* b, double* sums) {
   constexpr auto target = product_targets<degree>();

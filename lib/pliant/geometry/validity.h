@@ -18,7 +18,7 @@ enum class Validity { valid, degenerate, invalid };
 ///
 /// Shapes      net: net_size(degree) points, in the order of NetLayout; degree 1..max_degree; all finite
 /// Complexity  O(p^4) where the Bernstein coefficients with their floating-point error bound decide (nearly always, and
-///             then without allocation); the worst of many hostile inputs: 10 us at p = 2, 25 ms at p = 6
+///             then without allocation); the worst of many hostile inputs: 20 us at p = 2, 25 ms at p = 6
 Validity certify(int degree, std::span<const Point> net);
 
 /// The same with one corner (0, 1, 2) forgiven: a cusp's corner, where det J = 0 is allowed at that corner alone.
