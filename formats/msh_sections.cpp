@@ -21,7 +21,7 @@ class SectionReader {
 
  private:
   void read_header() {
-    if (std::string_view(in_.at(), in_.left()).substr(0, 5) == "$NOD\n")
+    if (const std::string_view all(in_.at(), in_.left()); all.substr(0, all.find_first_of("\r\n")) == "$NOD")
       in_.fail("MSH version 1: versions 2.2 and 4.1 are read");
     in_.expect(msh_magic, " (an MSH file)");
     in_.end_line("$MeshFormat");

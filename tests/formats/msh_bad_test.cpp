@@ -81,6 +81,7 @@ TEST_CASE("a bad MSH file is refused with the line and what was expected there",
   CHECK_THAT(complaint(good + "rubbish"), Catch::StartsWith("line 19: expected a section, which starts with $"));
   CHECK_THAT(complaint(good + "$Views\n1\n"), Catch::StartsWith("line 19: the section $Views does not end"));
   CHECK_THAT(complaint(good + "$EndViews\n1\n"), Catch::StartsWith("line 19: expected a section"));
+  CHECK_THAT(complaint("$NOD\n3\n"), Catch::StartsWith("line 1: MSH version 1: versions 2.2 and 4.1 are read"));
   CHECK_THAT(complaint("$Mesh"), Catch::StartsWith("line 1: expected $MeshFormat"));
   CHECK_THAT(complaint(""), Catch::StartsWith("line 1: expected $MeshFormat"));
   CHECK_THAT(complaint(header + "$PhysicalNames\n1\n2 1 name\n"),
