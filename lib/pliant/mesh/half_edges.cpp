@@ -15,6 +15,9 @@ constexpr std::size_t at(I i) {
   return static_cast<std::size_t>(i);
 }
 
+/// What a point is used for, where it is not inside an edge.
+constexpr HalfEdgeId unused = -1, corner = -2, inside_triangle = -3;
+
 /// Are there equal ones? Most vertices have three higher neighbours.
 bool has_duplicates(std::span<PointId> ids) {
   if (ids.size() > 12) {
@@ -50,7 +53,7 @@ void HalfEdges::fetch_for([[maybe_unused]] TriangleId t) const {
   for (int e = 0; 3 * (t + far) < count_ && e < 3; ++e) __builtin_prefetch(first_use(t + far, e), 1);
   for (int e = 0; 3 * (t + near) < count_ && e < 3; ++e) {
     const HalfEdgeId g = *first_use(t + near, e);
-    if (g == none) continue;
+    if (g < 0) continue;
     __builtin_prefetch(&data_->triangles[at(triangle_of(g)) * n_]);
     __builtin_prefetch(&twins_[at(g)], 1);
     __builtin_prefetch(&data_->triangle_faces[at(triangle_of(g))]);
@@ -60,49 +63,47 @@ void HalfEdges::fetch_for([[maybe_unused]] TriangleId t) const {
 
 /// False as soon as M1 is broken. Twins share their inner control points, which nothing else has.
 bool HalfEdges::pair_by_inner_points() {
-  enum : char { unused = 0, corner = 1, inside_edge = 2, inside_triangle = 4 };
   const NetLayout& layout = NetLayout::of(data_->degree);
   const int inner = data_->degree - 1;
   twins_.assign(at(count_), none);
-  borders_.assign(at(count_), true);
-  first_use_.assign(data_->points.size(), none);
-  std::vector<char> use(data_->points.size(), unused);
+  first_use_.assign(data_->points.size(), unused);
+  borders_.assign(at(count_), false);
   for (TriangleId t = 0; 3 * t < count_; ++t) {
     fetch_for(t);
     const PointId* const net = &data_->triangles[at(t) * n_];
     for (int e = 0; e < 3; ++e) {
       const PointId from = net[e], to = net[e == 2 ? 0 : e + 1];
-      use[at(from)] |= corner;
-      if (from == to) return false;
+      HalfEdgeId& of_corner = first_use_[at(from)];
+      if (from == to || (of_corner != unused && of_corner != corner)) return false;
+      of_corner = corner;
       const HalfEdgeId h = half_edge(t, e);
       const PointId* const points = net + 3 + e * inner;
       const HalfEdgeId g = first_use_[at(points[0])];
       for (int k = 0; k < inner; ++k) {
         if (first_use_[at(points[k])] != g) return false;
-        use[at(points[k])] |= inside_edge;
         first_use_[at(points[k])] = h;
       }
-      if (g == none) continue;
+      if (g == unused) continue;
+      if (g < 0) return false;
       const PointId* const others = &data_->triangles[at(triangle_of(g)) * n_] + 3 + edge_of(g) * inner;
       if (twins_[at(g)] != none || origin(g) != to || target(g) != from) return false;
       for (int k = 0; k < inner; ++k)
         if (others[inner - 1 - k] != points[k]) return false;
       twins_[at(g)] = h;
       twins_[at(h)] = g;
-      if (data_->triangle_faces[at(triangle_of(g))] == data_->triangle_faces[at(t)])
-        borders_[at(g)] = borders_[at(h)] = false;
+      if (data_->triangle_faces[at(triangle_of(g))] != data_->triangle_faces[at(t)])
+        borders_[at(g)] = borders_[at(h)] = true;
     }
     for (int k = layout.first_interior(); k < layout.size(); ++k) {
-      char& of_point = use[at(net[k])];
+      HalfEdgeId& of_point = first_use_[at(net[k])];
       if (of_point != unused) return false;
       of_point = inside_triangle;
     }
   }
-  // A point has one use, and only one kind of it.
-  if (!std::ranges::all_of(use, [](char u) { return u == corner || u == inside_edge || u == inside_triangle; }))
-    return false;
-  vertices_ = std::ranges::count(use, char{corner});
-  return true;
+  for (HalfEdgeId h = 0; h < count_; ++h)
+    if (twins_[at(h)] == none) borders_[at(h)] = true;
+  vertices_ = std::ranges::count(first_use_, corner);
+  return std::ranges::find(first_use_, unused) == first_use_.end();
 }
 
 /// Around each vertex one disk or half-disk. Count each vertex once for every disk or half-disk around it: Euler's
@@ -189,8 +190,8 @@ std::array<HalfEdgeId, 2> HalfEdges::along(std::span<const PointId> edge) const 
   };
   if (is_sound_) {
     const HalfEdgeId h = first_use_[at(edge[1])];
-    if (h != none) see(h);
-    if (h != none && twin(h) != none) see(twin(h));
+    if (h >= 0) see(h);
+    if (h >= 0 && twin(h) != none) see(twin(h));
     if (found[0] != none || found[1] != none) return found;
   }
   for (const HalfEdgeId h : uses().between(*data_, edge.front(), edge.back())) see(h);

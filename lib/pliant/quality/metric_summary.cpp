@@ -40,27 +40,22 @@ void fill_histogram(const MetricSpec& spec, std::span<const double> values, int 
   // Halves, for the whole width may overflow.
   const double half_width = summary.histogram_high / 2 - summary.histogram_low / 2;
   const double per_width = half_width > 0 ? 1 / half_width : 0;
-  for (const double value : values) {
-    if (!std::isfinite(value)) continue;
-    const double place = (value / 2 - summary.histogram_low / 2) * per_width;
-    const auto bin = static_cast<std::ptrdiff_t>(std::clamp(place, 0.0, 1.0) * bins);
-    ++summary.histogram[static_cast<std::size_t>(std::min<std::ptrdiff_t>(bin, bins - 1))];
+  const double low = summary.histogram_low / 2, scale = per_width * bins;
+  // Four counters a bin: values that follow each other are often in the same one, and each increment waits for the
+  // last.
+  std::vector<std::array<std::int64_t, 4>> counts(static_cast<std::size_t>(bins));
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    if (!std::isfinite(values[k])) continue;
+    const double place = std::clamp((values[k] / 2 - low) * scale, 0.0, static_cast<double>(bins - 1));
+    ++counts[static_cast<std::size_t>(place)][k % 4];
   }
+  for (std::size_t bin = 0; bin < counts.size(); ++bin)
+    summary.histogram[bin] = counts[bin][0] + counts[bin][1] + counts[bin][2] + counts[bin][3];
 }
 
-/// Summed in blocks, which keeps the rounding small.
-double mean_of(std::span<const double> values, std::int64_t count) {
-  constexpr std::size_t block = 1024;
-  double sum = 0;
-  for (std::size_t first = 0; first < values.size(); first += block) {
-    double part = 0;
-    for (const double value : values.subspan(first, std::min(block, values.size() - first)))
-      part += std::isfinite(value) ? value : 0;
-    sum += part;
-  }
-  if (std::isfinite(sum)) return sum / static_cast<double>(count);
-  double mean = 0;  // of values so large that their sum overflows
-  double seen = 0;
+/// Of finite values whose sum overflows.
+double running_mean(std::span<const double> values) {
+  double mean = 0, seen = 0;
   for (const double value : values) {
     if (!std::isfinite(value)) continue;
     ++seen;
@@ -69,10 +64,31 @@ double mean_of(std::span<const double> values, std::int64_t count) {
   return mean;
 }
 
+/// Least, greatest and sum of some values that are finite; without branches, four at a time.
+struct Extent {
+  double min, max, sum;
+};
+Extent extent_of(std::span<const double> values) {
+  std::array<double, 4> min, max, sum{};
+  min.fill(values[0]);
+  max.fill(values[0]);
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    const double value = values[k];
+    min[k % 4] = value < min[k % 4] ? value : min[k % 4];
+    max[k % 4] = value > max[k % 4] ? value : max[k % 4];
+    sum[k % 4] += value;
+  }
+  return {std::min({min[0], min[1], min[2], min[3]}), std::max({max[0], max[1], max[2], max[3]}),
+          sum[0] + sum[1] + (sum[2] + sum[3])};
+}
+
 /// The worst values, in a heap with the least bad of them on top.
 class Worst {
  public:
   Worst(bool is_least, std::size_t most) : sign_(is_least ? 1 : -1), most_(most) {}
+  bool might_take(double value) const {
+    return heap_.size() < most_ || (most_ > 0 && sign_ * value <= heap_.front().first);
+  }
   void see(double value, std::size_t place) {
     const std::pair<double, std::size_t> entry{sign_ * value, place};
     if (heap_.size() == most_) {
@@ -105,18 +121,28 @@ MetricSummary summarise(const MetricSpec& spec, std::span<const double> values, 
   summary.min = HUGE_VAL;
   summary.max = -HUGE_VAL;
   Worst found(spec.worst_is_least, static_cast<std::size_t>(std::max(worst, 0)));
-  for (std::size_t k = 0; k < values.size(); ++k) {
-    const double value = values[k];
-    if (!std::isfinite(value)) {
-      ++summary.missing;
-      continue;
+  double sum = 0;
+  constexpr std::size_t block_size = 512;  // summed by itself, which keeps the rounding small
+  std::array<double, block_size> finite;
+  for (std::size_t first = 0; first < values.size(); first += block_size) {
+    std::span<const double> block = values.subspan(first, std::min(block_size, values.size() - first));
+    const std::span<const double> all = block;
+    if (const auto missing = std::ranges::count_if(all, [](double v) { return !std::isfinite(v); }); missing > 0) {
+      summary.missing += missing;
+      std::ranges::copy_if(all, finite.begin(), [](double v) { return std::isfinite(v); });
+      block = std::span<const double>(finite).first(all.size() - static_cast<std::size_t>(missing));
+      if (block.empty()) continue;
     }
-    summary.min = std::min(summary.min, value);
-    summary.max = std::max(summary.max, value);
-    found.see(value, k);
+    const Extent extent = extent_of(block);
+    summary.min = std::min(summary.min, extent.min);
+    summary.max = std::max(summary.max, extent.max);
+    sum += extent.sum;
+    if (!found.might_take(spec.worst_is_least ? extent.min : extent.max)) continue;
+    for (std::size_t k = 0; k < all.size(); ++k)
+      if (std::isfinite(all[k])) found.see(all[k], first + k);
   }
   summary.count = static_cast<std::int64_t>(values.size()) - summary.missing;
-  summary.mean = mean_of(values, summary.count);
+  summary.mean = std::isfinite(sum) ? sum / static_cast<double>(summary.count) : running_mean(values);
   if (summary.count == 0) summary.min = summary.max = summary.mean = nan;
   if (bins > 0) fill_histogram(spec, values, bins, summary);
   for (const auto& [value, place] : found.sorted())

@@ -35,6 +35,22 @@ std::vector<bool> chosen_faces(const BoundaryComplex& boundary, const std::vecto
   return chosen;
 }
 
+struct MetricMember {
+  Metric metric;
+  double ElementMeasures::*member;
+};
+constexpr std::array<MetricMember, metric_count - 1> members{
+    {{jacobian_metric, &ElementMeasures::jacobian},
+     {jacobian_max_metric, &ElementMeasures::jacobian_max},
+     {scaled_jacobian_metric, &ElementMeasures::scaled_jacobian},
+     {shape_metric, &ElementMeasures::shape},
+     {logical_tau_metric, &ElementMeasures::logical_tau},
+     {control_tau_metric, &ElementMeasures::control_tau},
+     {distortion_metric, &ElementMeasures::distortion},
+     {logical_angle_metric, &ElementMeasures::logical_angle},
+     {turning_angle_metric, &ElementMeasures::turning_angle},
+     {element_area_metric, &ElementMeasures::area}}};
+
 class Reporter {
  public:
   Reporter(const MeshData& data, const QualityOptions& options)
@@ -56,9 +72,9 @@ class Reporter {
     Overlaps overlaps = find_overlaps(data_, half_edges, options_.worst);
     report_.overlaps = overlaps.count;
     report_.overlap_places = std::move(overlaps.places);
-    count_points();
     assign_edges(half_edges);
     measure_elements(elements != nullptr);
+    count_points(half_edges.is_sound());
     report_.fields = field_figures(data_, chosen_);
     for (int m = 0; m < metric_count; ++m) {
       MetricSummary summary = summarise(metric_spec(m), columns_[at(m)], options_.bins, options_.worst);
@@ -83,7 +99,7 @@ class Reporter {
     return std::span<const Point>(net_).first(n_);
   }
 
-  void count_points() {
+  void count_points(bool is_sound) {
     enum : char { unused, control_point, vertex };
     const auto uses_in = [this](auto&& is_wanted) {
       std::vector<char> use(data_.points.size(), unused);
@@ -97,7 +113,10 @@ class Reporter {
     };
     std::vector<char> use = uses_in([](TriangleId) { return true; });
     report_.unused_points = std::ranges::count(use, char{unused});
-    report_.duplicate_points = count_duplicates(data_.points, use, char{vertex});
+    // Where no two elements overlap, no two vertices are at one place.
+    const bool is_injective = is_sound && report_.overlaps == 0 && report_.invalid == 0 && report_.degenerate == 0 &&
+                              chosen_.size() == data_.triangle_faces.size();
+    report_.duplicate_points = is_injective ? 0 : count_duplicates(data_.points, use, char{vertex});
     if (chosen_.size() < data_.triangle_faces.size()) use = uses_in([this](TriangleId t) { return is_chosen(t); });
     report_.vertices = std::ranges::count(use, char{vertex});
     report_.control_points = std::ssize(use) - std::ranges::count(use, char{unused});
@@ -129,25 +148,19 @@ class Reporter {
     for (int m = 0; m < metric_count; ++m)
       if (m != edge_length_metric) columns_[at(m)].resize(chosen_.size());
     validity_.resize(chosen_.size());
-    const auto take_all = [&](std::size_t first, std::span<const ElementMeasures> measures) {
-      for (std::size_t k = 0; k < measures.size(); ++k) take(first + k, measures[k], all_edges);
-    };
-    pliant::measure_elements(data_, chosen_, options_.jacobian_width, take_all);
+    pliant::measure_elements(data_, chosen_, options_.jacobian_width,
+                             [&](std::size_t first, std::span<const ElementMeasures> measures) {
+                               for (const auto& [metric, member] : members)
+                                 for (std::size_t k = 0; k < measures.size(); ++k)
+                                   columns_[metric][first + k] = measures[k].*member;
+                               for (std::size_t k = 0; k < measures.size(); ++k)
+                                 take(first + k, measures[k], all_edges);
+                             });
     report_.triangles = std::ssize(chosen_);
   }
 
   void take(std::size_t k, const ElementMeasures& measures, bool all_edges) {
     const TriangleId t = chosen_[k];
-    columns_[jacobian_metric][k] = measures.jacobian;
-    columns_[jacobian_max_metric][k] = measures.jacobian_max;
-    columns_[scaled_jacobian_metric][k] = measures.scaled_jacobian;
-    columns_[shape_metric][k] = measures.shape;
-    columns_[logical_tau_metric][k] = measures.logical_tau;
-    columns_[control_tau_metric][k] = measures.control_tau;
-    columns_[distortion_metric][k] = measures.distortion;
-    columns_[logical_angle_metric][k] = measures.logical_angle;
-    columns_[turning_angle_metric][k] = measures.turning_angle;
-    columns_[element_area_metric][k] = measures.area;
     validity_[k] = measures.validity;
     if (measures.validity == Validity::invalid) list(t, report_.invalid, report_.invalid_elements);
     if (measures.validity == Validity::degenerate) list(t, report_.degenerate, report_.degenerate_elements);
