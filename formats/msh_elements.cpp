@@ -1,4 +1,6 @@
 // formats/msh_elements.cpp: the section $Elements of MSH 2.2 and 4.1
+#include <algorithm>
+
 #include "formats/msh_file.h"
 
 namespace pliant {
@@ -198,6 +200,11 @@ void read_elements_4(MshCursor& in, MshFile& file) {
     if (in.binary) {
       const std::size_t stride = 8 * (1 + static_cast<std::size_t>(of.nodes));
       const char* at = in.take(static_cast<std::size_t>(here), stride, "elements");
+      // All that is left may be like these; but no more than the file has room for.
+      if (of.family == MshElementType::triangle && file.triangle_nodes.empty())
+        file.triangle_nodes.reserve(
+            std::min(static_cast<std::size_t>(count - done + here) * static_cast<std::size_t>(of.nodes),
+                     (static_cast<std::size_t>(in.at() - at) + in.left()) / sizeof(std::uint64_t)));
       if (ElementSink::is_read(of))
         read_binary<std::uint64_t>(in, file, sink, block, at, static_cast<std::size_t>(here), 8);
       else

@@ -15,8 +15,11 @@ constexpr std::size_t at(I i) {
   return static_cast<std::size_t>(i);
 }
 
-/// What a point is used for, where it is not inside an edge.
+/// What a point is used for. Inside an edge that has one triangle so far it is a half-edge; inside one that has both,
+/// `paired` of it, so that a third is noticed without a look at twins.
 constexpr HalfEdgeId unused = -1, corner = -2, inside_triangle = -3;
+constexpr HalfEdgeId paired(HalfEdgeId h) { return -4 - h; }
+constexpr HalfEdgeId half_edge_of(HalfEdgeId use) { return use >= 0 ? use : use <= -4 ? paired(use) : none; }
 
 /// Are there equal ones? Most vertices have three higher neighbours.
 bool has_duplicates(std::span<PointId> ids) {
@@ -45,14 +48,12 @@ HalfEdges::HalfEdges(const MeshData& data, bool by_vertices)
 /// name.
 void HalfEdges::fetch_for([[maybe_unused]] TriangleId t) const {
 #ifdef __GNUC__
-  constexpr TriangleId far = 16, near = 8;
+  constexpr TriangleId far = 32, near = 16;
   const int inner = data_->degree - 1;
-  const auto first_use = [&](TriangleId u, int e) {
-    return &first_use_[at(data_->triangles[at(u) * n_ + 3 + at(e * inner)])];
-  };
-  for (int e = 0; 3 * (t + far) < count_ && e < 3; ++e) __builtin_prefetch(first_use(t + far, e), 1);
+  const auto use_in = [&](TriangleId u, int e) { return &use_[at(data_->triangles[at(u) * n_ + 3 + at(e * inner)])]; };
+  for (int e = 0; 3 * (t + far) < count_ && e < 3; ++e) __builtin_prefetch(use_in(t + far, e), 1);
   for (int e = 0; 3 * (t + near) < count_ && e < 3; ++e) {
-    const HalfEdgeId g = *first_use(t + near, e);
+    const HalfEdgeId g = *use_in(t + near, e);
     if (g < 0) continue;
     __builtin_prefetch(&data_->triangles[at(triangle_of(g)) * n_]);
     __builtin_prefetch(&twins_[at(g)], 1);
@@ -66,27 +67,27 @@ bool HalfEdges::pair_by_inner_points() {
   const NetLayout& layout = NetLayout::of(data_->degree);
   const int inner = data_->degree - 1;
   twins_.assign(at(count_), none);
-  first_use_.assign(data_->points.size(), unused);
+  use_.assign(data_->points.size(), unused);
   borders_.assign(at(count_), false);
   for (TriangleId t = 0; 3 * t < count_; ++t) {
     fetch_for(t);
     const PointId* const net = &data_->triangles[at(t) * n_];
     for (int e = 0; e < 3; ++e) {
       const PointId from = net[e], to = net[e == 2 ? 0 : e + 1];
-      HalfEdgeId& of_corner = first_use_[at(from)];
+      HalfEdgeId& of_corner = use_[at(from)];
       if (from == to || (of_corner != unused && of_corner != corner)) return false;
       of_corner = corner;
       const HalfEdgeId h = half_edge(t, e);
       const PointId* const points = net + 3 + e * inner;
-      const HalfEdgeId g = first_use_[at(points[0])];
+      const HalfEdgeId g = use_[at(points[0])];
       for (int k = 0; k < inner; ++k) {
-        if (first_use_[at(points[k])] != g) return false;
-        first_use_[at(points[k])] = h;
+        if (use_[at(points[k])] != g) return false;
+        use_[at(points[k])] = g == unused ? h : paired(h);
       }
       if (g == unused) continue;
       if (g < 0) return false;
       const PointId* const others = &data_->triangles[at(triangle_of(g)) * n_] + 3 + edge_of(g) * inner;
-      if (twins_[at(g)] != none || origin(g) != to || target(g) != from) return false;
+      if (origin(g) != to || target(g) != from) return false;
       for (int k = 0; k < inner; ++k)
         if (others[inner - 1 - k] != points[k]) return false;
       twins_[at(g)] = h;
@@ -95,15 +96,15 @@ bool HalfEdges::pair_by_inner_points() {
         borders_[at(g)] = borders_[at(h)] = true;
     }
     for (int k = layout.first_interior(); k < layout.size(); ++k) {
-      HalfEdgeId& of_point = first_use_[at(net[k])];
+      HalfEdgeId& of_point = use_[at(net[k])];
       if (of_point != unused) return false;
       of_point = inside_triangle;
     }
   }
   for (HalfEdgeId h = 0; h < count_; ++h)
     if (twins_[at(h)] == none) borders_[at(h)] = true;
-  vertices_ = std::ranges::count(first_use_, corner);
-  return std::ranges::find(first_use_, unused) == first_use_.end();
+  vertices_ = std::ranges::count(use_, corner);
+  return std::ranges::find(use_, unused) == use_.end();
 }
 
 /// Around each vertex one disk or half-disk. Count each vertex once for every disk or half-disk around it: Euler's
@@ -159,7 +160,7 @@ bool HalfEdges::is_each_edge_the_only_one() const {
 }
 
 void HalfEdges::pair_by_vertices() {
-  first_use_.clear();
+  use_.clear();
   twins_.assign(at(count_), none);
   for (std::size_t e = 0; e < uses().count(); ++e) {
     const std::span<const HalfEdgeId> all = uses().of(e);
@@ -189,9 +190,9 @@ std::array<HalfEdgeId, 2> HalfEdges::along(std::span<const PointId> edge) const 
     if (backward && found[1] == none) found[1] = h;
   };
   if (is_sound_) {
-    const HalfEdgeId h = first_use_[at(edge[1])];
-    if (h >= 0) see(h);
-    if (h >= 0 && twin(h) != none) see(twin(h));
+    const HalfEdgeId h = half_edge_of(use_[at(edge[1])]);
+    if (h != none) see(h);
+    if (h != none && twin(h) != none) see(twin(h));
     if (found[0] != none || found[1] != none) return found;
   }
   for (const HalfEdgeId h : uses().between(*data_, edge.front(), edge.back())) see(h);

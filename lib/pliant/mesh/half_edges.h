@@ -51,7 +51,7 @@ class HalfEdges {
   std::vector<bool> borders_;
   bool is_sound_ = false;
   std::int64_t vertices_ = 0;
-  std::vector<HalfEdgeId> first_use_;  // a half-edge of each point inside edges; only if sound
+  std::vector<HalfEdgeId> use_;  // of each point, only if sound
   mutable std::optional<EdgeUses> uses_;
 };
 

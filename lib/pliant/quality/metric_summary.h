@@ -1,5 +1,10 @@
 #pragma once  // lib/pliant/quality/metric_summary.h: from a column of values to its summary (private to this layer)
+#include <array>
+#include <cmath>
+#include <cstdint>
 #include <span>
+#include <utility>
+#include <vector>
 
 #include "pliant/quality/quality_report.h"
 
@@ -28,9 +33,39 @@ enum Metric {
 };
 const MetricSpec& metric_spec(int metric);
 
-/// The summary of these values (NaN: does not exist), but for where the worst are: `triangle` is the place of the value
-/// in the column, and of equal ones the first is the worst. A fixed range of the histogram is widened where values lie
-/// outside it.
-MetricSummary summarise(const MetricSpec& spec, std::span<const double> values, int bins, int worst);
+/// Sums up the values of one metric, some at a time (NaN: does not exist). Where the worst are is the caller's to say:
+/// `triangle` is the place of the value among all, and of equal ones the first is the worst. A fixed range of the
+/// histogram is widened where values lie outside it; for the others, and where `keeps_values`, values are kept.
+class Summariser {
+ public:
+  Summariser(const MetricSpec& spec, int bins, int worst, bool keeps_values, std::size_t expected);
+  void add(std::span<const double> values);
+  MetricSummary finish();
+  /// What was added, if values are kept.
+  std::vector<double>& values() { return values_; }
+
+ private:
+  /// Values in [low, high] fall into equal bins, what is outside into the outer ones.
+  struct Histogram {
+    double low = 0, high = 0;
+    // Four counters a bin: values that follow each other are often in the same one, where each increment waits for the
+    // last.
+    std::vector<std::array<std::int64_t, 4>> counts;
+    void add(std::span<const double> values);
+  };
+  void see_worst(const std::pair<double, std::size_t>& entry);
+
+  MetricSpec spec_;
+  int bins_;
+  std::size_t most_;
+  bool has_range_, keeps_values_;
+  Histogram narrow_, wide_;  // of a fixed range, and of the one that holds negative values too
+  std::vector<double> values_;
+  std::size_t count_ = 0;
+  std::int64_t missing_ = 0;
+  double min_ = HUGE_VAL, max_ = -HUGE_VAL;
+  long double sum_ = 0;                               // which does not overflow
+  std::vector<std::pair<double, std::size_t>> heap_;  // the worst, with the least bad of them on top; values signed
+};
 
 }  // namespace pliant

@@ -8,7 +8,7 @@ namespace pliant {
 /// The measures of element_measures.h, to the last bit, for elements that are valid and nearly straight, as most are:
 /// there every bound holds at once, nothing is subdivided, and the same operations run on several elements together.
 struct QuadraticBlock {
-  static constexpr std::size_t size = 32;
+  static constexpr std::size_t size = 64;
   using Column = std::array<double, size>;
 
   std::array<Column, 6> x, y;  ///< the control points, in the order of NetLayout

@@ -57,8 +57,7 @@ class Reporter {
       : data_(data),
         options_(options),
         n_(at(net_size(data.degree))),
-        is_face_chosen_(chosen_faces(data.boundary, options.faces)),
-        columns_(metric_count) {
+        is_face_chosen_(chosen_faces(data.boundary, options.faces)) {
     for (std::size_t t = 0; t < data.triangle_faces.size(); ++t)
       if (is_face_chosen_[at(data.triangle_faces[t])]) chosen_.push_back(static_cast<TriangleId>(t));
   }
@@ -72,15 +71,14 @@ class Reporter {
     Overlaps overlaps = find_overlaps(data_, half_edges, options_.worst);
     report_.overlaps = overlaps.count;
     report_.overlap_places = std::move(overlaps.places);
-    assign_edges(half_edges);
-    measure_elements(elements != nullptr);
+    measure_elements(half_edges, elements != nullptr);
     count_points(half_edges.is_sound());
     report_.fields = field_figures(data_, chosen_);
     for (int m = 0; m < metric_count; ++m) {
-      MetricSummary summary = summarise(metric_spec(m), columns_[at(m)], options_.bins, options_.worst);
+      MetricSummary summary = metrics_[at(m)].finish();
       for (WorstElement& worst : summary.worst) {
         const auto place = at(worst.triangle);
-        worst.triangle = m == edge_length_metric ? edge_triangles_[place] : chosen_[place];
+        worst.triangle = m == edge_length_metric ? triangle_of_edge(place) : chosen_[place];
         worst.centroid = barycentre(worst.triangle);
       }
       report_.metrics.push_back(std::move(summary));
@@ -127,7 +125,7 @@ class Reporter {
 
   /// Every edge is one entry of its metric, at the first chosen triangle that has it; on the perimeter of a face are
   /// those that only one of its triangles has.
-  void assign_edges(const HalfEdges& half_edges) {
+  std::size_t assign_edges(const HalfEdges& half_edges) {
     roles_.resize(3 * data_.triangle_faces.size());
     std::size_t count = 0;
     for (const TriangleId t : chosen_) {
@@ -139,29 +137,42 @@ class Reporter {
         count += is_first ? 1 : 0;
       }
     }
-    columns_[edge_length_metric].reserve(count);
-    edge_triangles_.reserve(count);
+    return count;
   }
 
-  void measure_elements(bool all_edges) {
+  /// The triangle at which the edge was entered.
+  TriangleId triangle_of_edge(std::size_t edge) const {
+    std::size_t before = 0;
+    for (const TriangleId t : chosen_) {
+      for (int e = 0; e < 3; ++e) before += (roles_[at(half_edge(t, e))] & of_edge) != 0 ? 1 : 0;
+      if (before > edge) return t;
+    }
+    return none;
+  }
+
+  void measure_elements(const HalfEdges& half_edges, bool lists_elements) {
+    const std::size_t edges = assign_edges(half_edges);
     for (const Face& face : data_.boundary.faces) figures_.push_back({face.name});
     for (int m = 0; m < metric_count; ++m)
-      if (m != edge_length_metric) columns_[at(m)].resize(chosen_.size());
-    validity_.resize(chosen_.size());
-    pliant::measure_elements(data_, chosen_, options_.jacobian_width,
-                             [&](std::size_t first, std::span<const ElementMeasures> measures) {
-                               for (const auto& [metric, member] : members)
-                                 for (std::size_t k = 0; k < measures.size(); ++k)
-                                   columns_[metric][first + k] = measures[k].*member;
-                               for (std::size_t k = 0; k < measures.size(); ++k)
-                                 take(first + k, measures[k], all_edges);
-                             });
+      metrics_.emplace_back(metric_spec(m), options_.bins, options_.worst, lists_elements,
+                            m == edge_length_metric ? edges : chosen_.size());
+    if (lists_elements) validity_.reserve(chosen_.size());
+    std::vector<double> column;
+    const auto take = [&](std::size_t first, std::span<const ElementMeasures> measures) {
+      for (const auto& [metric, member] : members) {
+        column.clear();
+        for (const ElementMeasures& of_element : measures) column.push_back(of_element.*member);
+        metrics_[metric].add(column);
+      }
+      lengths_.clear();
+      for (std::size_t k = 0; k < measures.size(); ++k) take_element(chosen_[first + k], measures[k], lists_elements);
+      metrics_[edge_length_metric].add(lengths_);
+    };
+    pliant::measure_elements(data_, chosen_, options_.jacobian_width, take);
     report_.triangles = std::ssize(chosen_);
   }
 
-  void take(std::size_t k, const ElementMeasures& measures, bool all_edges) {
-    const TriangleId t = chosen_[k];
-    validity_[k] = measures.validity;
+  void take_element(TriangleId t, const ElementMeasures& measures, bool lists_elements) {
     if (measures.validity == Validity::invalid) list(t, report_.invalid, report_.invalid_elements);
     if (measures.validity == Validity::degenerate) list(t, report_.degenerate, report_.degenerate_elements);
     FaceFigures& figures = figures_[at(data_.triangle_faces[at(t)])];
@@ -172,11 +183,10 @@ class Reporter {
       const char role = roles_[at(half_edge(t, e))];
       const double length = measures.edge_length[at(e)];
       if ((role & of_perimeter) != 0) figures.perimeter += length;
-      if ((role & of_edge) == 0) continue;
-      columns_[edge_length_metric].push_back(length);
-      edge_triangles_.push_back(t);
+      if ((role & of_edge) != 0) lengths_.push_back(length);
     }
-    if (!all_edges) return;
+    if (!lists_elements) return;
+    validity_.push_back(measures.validity);
     shortest_.push_back(*std::ranges::min_element(measures.edge_length));
     longest_.push_back(*std::ranges::max_element(measures.edge_length));
   }
@@ -190,7 +200,8 @@ class Reporter {
     for (int m = 0; m < metric_count; ++m) {
       const MetricSpec& spec = metric_spec(m);
       const bool is_length = m == edge_length_metric;
-      elements.columns.push_back({spec.name, spec.worst_is_least, std::move(is_length ? shortest_ : columns_[at(m)])});
+      elements.columns.push_back(
+          {spec.name, spec.worst_is_least, std::move(is_length ? shortest_ : metrics_[at(m)].values())});
       if (is_length) elements.columns.push_back({"edge_length_max", false, std::move(longest_)});
     }
     return elements;
@@ -210,11 +221,12 @@ class Reporter {
   std::vector<bool> is_face_chosen_;
   std::vector<TriangleId> chosen_;
   std::vector<FaceFigures> figures_;
-  std::vector<std::vector<double>> columns_;  // by metric; of edge lengths an entry an edge, of all else an element
+  std::vector<Summariser> metrics_;  // of edge lengths a value an edge, of all else an element
+  std::vector<char> roles_;          // of half-edges
+  std::vector<double> lengths_;      // scratch
+  // Of each chosen element, if asked for.
   std::vector<Validity> validity_;
-  std::vector<char> roles_;                 // of half-edges
-  std::vector<TriangleId> edge_triangles_;  // of the entries of edge_length
-  std::vector<double> shortest_, longest_;  // edge of each chosen element, if asked for
+  std::vector<double> shortest_, longest_;
   std::array<Point, net_size(max_degree)> net_;
   QualityReport report_;
 };
