@@ -90,3 +90,14 @@ TEST_CASE("two vertices at one point are found", "[boundary]") {
   b.vertices.push_back({1, 1});
   CHECK_THAT(first_text(b), Catch::Contains("vertices 2 and 4 are the same point (1, 1)"));
 }
+
+TEST_CASE("a loop of one span may share its vertex with another curve", "[boundary]") {
+  BoundaryComplex b = with_faces({"loop", "other"});
+  b.vertices = {{0, 0}, {-1, 0}};
+  b.curves.push_back(open_curve(b, "loop", 0, 0, {{1, -1}, {1, 1}}, 0));
+  b.curves.push_back(open_curve(b, "lower", 1, 0, {{-0.5, -0.5}}, 1));
+  b.curves.push_back(open_curve(b, "upper", 0, 1, {{-0.5, 0.5}}, 1));
+  CHECK(first_text(b) == "");
+  b.curves[0] = open_curve(b, "loop", 0, 0, {{-2, -0.2}, {1, 1}}, 0);
+  CHECK_THAT(first_text(b), Catch::Contains("curve 'loop' (0)") && Catch::Contains("meets curve 'upper' (2)"));
+}

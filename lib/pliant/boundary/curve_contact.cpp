@@ -78,6 +78,13 @@ class Search {
   }
 
   std::optional<Contact> compare(const Piece& a, const Piece& b) {
+    // A curve that returns to its start would have two ends at the common node.
+    if (a.from_node == a.to_node || b.from_node == b.to_node) {
+      const bool split_a = a.from_node == a.to_node;
+      const auto [one, two] = halves(split_a ? a : b);
+      if (auto found = split_a ? compare(one, b) : compare(a, one)) return found;
+      return split_a ? compare(two, b) : compare(a, two);
+    }
     const bool at_start = a.from_node == b.from_node || a.from_node == b.to_node;
     const bool at_end = a.to_node == b.from_node || a.to_node == b.to_node;
     if (at_start && at_end) return compare_halves(a, b);
