@@ -1,0 +1,173 @@
+#include "pliant/boundary/arrangement.h"
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+#include <map>
+#include <utility>
+
+#include "pliant/boundary/arrangement_curves.h"
+#include "pliant/boundary/arrangement_input.h"
+#include "pliant/boundary/boundary_spans.h"
+#include "pliant/boundary/check_boundary.h"
+
+namespace pliant {
+namespace {
+
+constexpr int most_attempts = 4;
+constexpr int more_rounds = 3;
+constexpr double wider = 16;  // the tolerance of the next attempt
+
+std::size_t index(int i) { return static_cast<std::size_t>(i); }
+
+/// What both kinds of input come to.
+struct Painting {
+  std::vector<Point> vertices;
+  std::vector<Face> faces;
+  std::vector<FillRule> rules;
+  std::deque<BSpline> splines;  ///< what `curves` point to
+  std::vector<SidedCurve> curves;
+  std::vector<Curve> sources;  ///< of each curve: name and other members, no spline
+
+  void add_curve(const BSpline& spline, const Winding& jump, const Curve& source) {
+    for (BSpline& part : split_at_stops(spline)) {
+      splines.push_back(std::move(part));
+      curves.push_back({&splines.back(), jump});
+      sources.push_back(source);
+    }
+  }
+
+  int owner(const Winding& winding) const {
+    for (auto at = winding.rbegin(); at != winding.rend(); ++at)
+      if (rules[index(at->first)] == FillRule::nonzero || at->second % 2 != 0) return at->first;
+    return outside;
+  }
+};
+
+Fault inconsistent_at(const Point& p) {
+  return {"boundary", "/curves",
+          "the curves near " + describe_point(p) +
+              " run so close to each other that what lies between them cannot be told"};
+}
+
+/// Vertices that are used, faces that something is left of, and the curves between them.
+void assemble(const Painting& painting, const ArcNetwork& network, std::vector<KeptCurve> kept, Arrangement& result) {
+  BoundaryComplex& boundary = result.boundary;
+  std::vector<int> vertex(network.nodes.size(), no_vertex), face(painting.faces.size(), outside);
+  for (const KeptCurve& curve : kept) {
+    for (const int n : {curve.start, curve.end})
+      if (n != no_vertex) vertex[index(n)] = 0;
+    for (const int f : {curve.left, curve.right})
+      if (f != outside) face[index(f)] = 0;
+  }
+  for (std::size_t n = 0; n < vertex.size(); ++n) {
+    if (vertex[n] == no_vertex) continue;
+    vertex[n] = static_cast<int>(boundary.vertices.size());
+    const Point& p = network.nodes[n];
+    boundary.vertices.push_back({std::ldexp(p.x, network.exponent), std::ldexp(p.y, network.exponent)});
+  }
+  for (std::size_t f = 0; f < face.size(); ++f) {
+    if (face[f] == outside) continue;
+    face[f] = static_cast<int>(boundary.faces.size());
+    boundary.faces.push_back(painting.faces[f]);
+    result.sources.push_back(static_cast<int>(f));
+  }
+  for (KeptCurve& from : kept) {
+    Curve curve = painting.sources[index(from.curve)];
+    curve.spline = std::move(from.spline);
+    curve.start = from.start == no_vertex ? no_vertex : vertex[index(from.start)];
+    curve.end = from.end == no_vertex ? no_vertex : vertex[index(from.end)];
+    curve.left = from.left == outside ? outside : face[index(from.left)];
+    curve.right = from.right == outside ? outside : face[index(from.right)];
+    boundary.curves.push_back(std::move(curve));
+  }
+}
+
+Arrangement attempt(const Painting& painting, const ArrangeOptions& options, int rounds) {
+  Arrangement result;
+  ArcTolerances tolerances{};
+  const ArcNetwork network = cut_curves(painting.curves, painting.vertices, options, rounds, tolerances);
+  const ArrangementGraph graph = build_graph(network, painting.curves, tolerances,
+                                             [&](const Winding& winding) { return painting.owner(winding); });
+  result.intersections = graph.crowded_nodes;
+  result.pieces = static_cast<long>(graph.edges.size());
+  result.regions = graph.regions;
+  result.slivers = graph.slivers;
+  for (const int n : graph.broken) {
+    const Point& p = network.nodes[index(n)];
+    result.faults.push_back(inconsistent_at({std::ldexp(p.x, network.exponent), std::ldexp(p.y, network.exponent)}));
+  }
+  if (!result.faults.empty()) return result;
+  assemble(painting, network, chain_arcs(network, painting.curves, graph), result);
+  result.faults = check_boundary(result.boundary);
+  if (result.faults.empty()) result.faults = check_boundary_geometry(result.boundary);
+  return result;
+}
+
+/// Where rounding leaves something that is not a boundary, more rounds or coarser snapping mostly help.
+Arrangement solve(const Painting& painting, ArrangeOptions options) {
+  Arrangement result = attempt(painting, options, 1);
+  for (int n = 1; n < most_attempts && !result.faults.empty(); ++n) {
+    Arrangement next = attempt(painting, options, more_rounds);
+    if (next.faults.empty()) return next;
+    options.tolerance *= wider;
+    options.sliver = std::max(options.sliver, 4 * options.tolerance);
+  }
+  return result;
+}
+
+/// Ends where more of a face's open curves start than stop, or the other way round.
+std::vector<Fault> open_loops(std::span<const FilledFace> faces) {
+  std::vector<Fault> faults;
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    std::map<std::pair<double, double>, int> balance;
+    for (const BSpline& spline : faces[f].curves) {
+      if (spline.closed()) continue;
+      ++balance[{spline.points().front().x, spline.points().front().y}];
+      --balance[{spline.points().back().x, spline.points().back().y}];
+    }
+    for (const auto& [place, count] : balance)
+      if (count != 0)
+        faults.push_back({"boundary", "/faces/" + std::to_string(f),
+                          "the curves of face '" + faces[f].name + "' do not close at " +
+                              describe_point({place.first, place.second})});
+  }
+  return faults;
+}
+
+}  // namespace
+
+Arrangement arrange(std::span<const FilledFace> faces, const ArrangeOptions& options) {
+  Painting painting;
+  for (const FilledFace& face : faces) {
+    const int f = static_cast<int>(painting.faces.size());
+    painting.faces.push_back({face.name, face.extra});
+    painting.rules.push_back(face.rule);
+    Curve source;
+    source.name = face.name;
+    for (const BSpline& spline : face.curves) painting.add_curve(spline, {{f, 1}}, source);
+  }
+  Arrangement result;
+  result.faults = open_loops(faces);
+  return result.faults.empty() ? solve(painting, options) : result;
+}
+
+Arrangement resolve(const BoundaryComplex& boundary, const ArrangeOptions& options) {
+  Painting painting;
+  painting.vertices = boundary.vertices;
+  painting.faces = boundary.faces;
+  painting.rules.assign(boundary.faces.size(), FillRule::nonzero);
+  for (const Curve& curve : boundary.curves) {
+    Winding jump;
+    if (curve.left != outside) add_winding(jump, {{curve.left, 1}});
+    if (curve.right != outside) add_winding(jump, {{curve.right, -1}});
+    Curve source = curve;
+    source.spline = {};
+    painting.add_curve(curve.spline, jump, source);
+  }
+  Arrangement result = solve(painting, options);
+  result.boundary.extra = boundary.extra;
+  return result;
+}
+
+}  // namespace pliant

@@ -1,0 +1,375 @@
+#include "pliant/boundary/arrangement_graph.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+
+#include "pliant/boundary/box_pairs.h"
+#include "pliant/boundary/curve_intersections.h"
+#include "pliant/boundary/hull_separation.h"
+#include "pliant/geometry/bspline.h"
+
+namespace pliant {
+namespace {
+
+constexpr double clear_angle = 1e-6;  // radians between the hulls of arcs that are sorted by their chords
+
+std::size_t index(int i) { return static_cast<std::size_t>(i); }
+
+class GraphBuilder {
+ public:
+  GraphBuilder(const ArcNetwork& network, std::span<const SidedCurve> curves, const ArcTolerances& tolerances)
+      : network_(network), curves_(curves), tolerances_(tolerances) {}
+
+  ArrangementGraph build(const std::function<int(const Winding&)>& owner) {
+    merge_arcs();
+    merge_paths();
+    sort_around_nodes();
+    trace_regions();
+    check_planarity();
+    if (graph_.broken.empty()) propagate(owner);
+    return std::move(graph_);
+  }
+
+ private:
+  // Half-edge 2e runs along edge e, 2e + 1 against it; each has a region on its left.
+  const Arc& arc(int half) const { return network_.arcs[index(graph_.edges[index(half / 2)].arc)]; }
+  int origin(int half) const { return half % 2 == 0 ? arc(half).from : arc(half).to; }
+  static int twin(int half) { return half ^ 1; }
+  const Point& node(int n) const { return network_.nodes[index(n)]; }
+
+  // ---- Arcs that run together ----
+
+  void merge_arcs() {
+    const std::vector<Arc>& arcs = network_.arcs;
+    graph_.edge_of.assign(arcs.size(), -1);
+    std::vector<int> order;
+    for (std::size_t i = 0; i < arcs.size(); ++i)
+      if (arcs[i].from != arcs[i].to) order.push_back(static_cast<int>(i));
+    const auto ends = [&](int i) {
+      const Arc& a = arcs[index(i)];
+      return std::array{std::min(a.from, a.to), std::max(a.from, a.to)};
+    };
+    std::sort(order.begin(), order.end(), [&](int i, int j) { return ends(i) != ends(j) ? ends(i) < ends(j) : i < j; });
+    std::vector<int> kept(arcs.size(), -1);
+    for (std::size_t first = 0, last; first < order.size(); first = last) {
+      for (last = first; last < order.size() && ends(order[last]) == ends(order[first]);) ++last;
+      std::vector<int> apart;
+      for (std::size_t k = first; k < last; ++k) {
+        const auto same =
+            std::find_if(apart.begin(), apart.end(), [&](int other) { return together(other, order[k]); });
+        kept[index(order[k])] = same == apart.end() ? order[k] : *same;
+        if (same == apart.end()) apart.push_back(order[k]);
+      }
+    }
+    for (std::size_t i = 0; i < arcs.size(); ++i) {
+      if (kept[i] < 0) continue;
+      const bool is_new = kept[i] == static_cast<int>(i);
+      if (is_new) {
+        graph_.edge_of[i] = static_cast<int>(graph_.edges.size());
+        graph_.edges.push_back({static_cast<int>(i), {}});
+      }
+      GraphEdge& edge = graph_.edges[index(graph_.edge_of[index(kept[i])])];
+      add_winding(edge.jump, curves_[index(arcs[i].curve)].jump, arcs[i].from == arcs[index(edge.arc)].from ? 1 : -1);
+    }
+    drop_empty();
+  }
+
+  /// What changes nothing on either side separates nothing.
+  void drop_empty() {
+    std::vector<GraphEdge> edges;
+    for (GraphEdge& edge : graph_.edges) {
+      graph_.edge_of[index(edge.arc)] = edge.jump.empty() ? -1 : static_cast<int>(edges.size());
+      if (!edge.jump.empty()) edges.push_back(std::move(edge));
+    }
+    graph_.edges = std::move(edges);
+  }
+
+  bool together(int first, int second) {
+    const auto a = network_.polygon(network_.arcs[index(first)]), b = network_.polygon(network_.arcs[index(second)]);
+    const int samples = static_cast<int>(a.size() + b.size()) + 1;
+    double most = 0;
+    for (int i = 0; i < samples; ++i) {
+      const double s = (i + 0.5) / samples;
+      most = std::max(
+          {most, nearest_on_curve(b, bezier_point(a, s)).distance, nearest_on_curve(a, bezier_point(b, s)).distance});
+      if (most > tolerances_.sliver) return false;
+    }
+    // Ends were snapped; so far they may have moved the pieces.
+    graph_.slivers += most > 8 * tolerances_.touch;
+    return true;
+  }
+
+  // ---- Slivers between nodes where more than two edges end ----
+
+  /// Half-edges from one such node to the next.
+  using Path = std::vector<int>;
+
+  void merge_paths() {
+    std::vector<std::array<int, 2>> ends(network_.nodes.size(), {-1, -1});  // half-edges from a node of two
+    std::vector<int> degree(network_.nodes.size(), 0);
+    const int halves = 2 * static_cast<int>(graph_.edges.size());
+    for (int half = 0; half < halves; ++half) {
+      int& d = degree[index(origin(half))];
+      if (d < 2) ends[index(origin(half))][index(d)] = half;
+      ++d;
+    }
+    std::map<std::array<int, 2>, std::vector<Path>> between;
+    for (int start = 0; start < halves; ++start) {
+      if (degree[index(origin(start))] == 2) continue;
+      Path path{start};
+      while (degree[index(origin(twin(path.back())))] == 2) {
+        const auto& both = ends[index(origin(twin(path.back())))];
+        path.push_back(both[0] == twin(path.back()) ? both[1] : both[0]);
+      }
+      const int from = origin(start), to = origin(twin(path.back()));
+      if (from < to) between[{from, to}].push_back(std::move(path));
+    }
+    for (auto& [nodes, paths] : between)
+      for (std::size_t j = 1; j < paths.size(); ++j)
+        for (std::size_t i = 0; i < j; ++i)
+          if (!paths[i].empty() && !paths[j].empty() && merge(paths[i], paths[j])) break;
+    drop_empty();
+  }
+
+  bool merge(const Path& kept, Path& other) {
+    if (kept.size() + other.size() <= 2 || !runs_beside(kept, other) || !runs_beside(other, kept)) return false;
+    const Winding jump = graph_.edges[index(other[0] / 2)].jump;
+    const int sign = other[0] % 2 == 0 ? 1 : -1;
+    for (const int half : kept) add_winding(graph_.edges[index(half / 2)].jump, jump, half % 2 == 0 ? sign : -sign);
+    for (const int half : other) graph_.edges[index(half / 2)].jump.clear();
+    other.clear();
+    ++graph_.slivers;
+    return true;
+  }
+
+  bool runs_beside(const Path& path, const Path& other) const {
+    std::vector<Box> boxes(other.size());
+    for (std::size_t i = 0; i < other.size(); ++i) {
+      for (const Point& p : network_.polygon(arc(other[i]))) boxes[i].extend(p);
+      boxes[i].low -= Vector{tolerances_.sliver, tolerances_.sliver};
+      boxes[i].high += Vector{tolerances_.sliver, tolerances_.sliver};
+    }
+    for (const int half : path) {
+      const auto polygon = network_.polygon(arc(half));
+      const int samples = 2 * static_cast<int>(polygon.size()) + 1;
+      for (int s = 0; s < samples; ++s) {
+        const Point p = bezier_point(polygon, (s + 0.5) / samples);
+        bool near = false;
+        for (std::size_t i = 0; i < other.size() && !near; ++i)
+          near = boxes[i].contains(p) &&
+                 nearest_on_curve(network_.polygon(arc(other[i])), p).distance <= tolerances_.sliver;
+        if (!near) return false;
+      }
+    }
+    return true;
+  }
+
+  // ---- Around the nodes ----
+
+  /// The control points from the half-edge's origin on.
+  std::span<const Point> polygon(int half, std::array<Point, max_curve_degree + 1>& reversed) const {
+    const auto points = network_.polygon(arc(half));
+    if (half % 2 == 0) return points;
+    std::reverse_copy(points.begin(), points.end(), reversed.begin());
+    return {reversed.data(), points.size()};
+  }
+
+  /// Which quarter of directions a monotone arc leaves into, from -x counter-clockwise; each holds its first ray.
+  static int quarter(const Vector& d) {
+    if (d.x < 0) return d.y > 0 ? 3 : 0;
+    if (d.x == 0) return d.y > 0 ? 3 : 1;
+    return d.y < 0 ? 1 : 2;
+  }
+
+  static Vector at_radius(std::span<const Point> polygon, double radius) {
+    double low = 0, high = 1;
+    for (int i = 0; i < 50; ++i) {
+      const double middle = low + (high - low) / 2;
+      (distance(bezier_point(polygon, middle), polygon.front()) < radius ? low : high) = middle;
+    }
+    return bezier_point(polygon, high) - polygon.front();
+  }
+
+  /// Does `a` come before `b`, counter-clockwise from -x about their common origin? Arcs stay in one quarter and meet
+  /// at nodes only, so their order is that of the points where they cross any circle about the node.
+  bool comes_before(int a, int b) const {
+    std::array<Point, max_curve_degree + 1> room_a, room_b;
+    const auto p = polygon(a, room_a), q = polygon(b, room_b);
+    Vector to_a = p.back() - p.front(), to_b = q.back() - q.front();
+    const int quarter_a = quarter(to_a), quarter_b = quarter(to_b);
+    if (quarter_a != quarter_b) return quarter_a < quarter_b;
+    if (!cones_apart(p, q, clear_angle)) {
+      const double radius = 0.6 * std::min(length(to_a), length(to_b));
+      to_a = at_radius(p, radius);
+      to_b = at_radius(q, radius);
+    }
+    const double turn = cross(to_a, to_b);
+    return turn != 0 ? turn > 0 : a < b;
+  }
+
+  void sort_around_nodes() {
+    around_.resize(network_.nodes.size());
+    for (int half = 0; half < 2 * static_cast<int>(graph_.edges.size()); ++half)
+      around_[index(origin(half))].push_back(half);
+    place_.resize(2 * graph_.edges.size());
+    for (std::vector<int>& halves : around_) {
+      // Insertion: an order that rounding made inconsistent does no harm beyond a wrong order.
+      for (std::size_t i = 1; i < halves.size(); ++i)
+        for (std::size_t j = i; j > 0 && comes_before(halves[j], halves[j - 1]); --j)
+          std::swap(halves[j], halves[j - 1]);
+      for (std::size_t i = 0; i < halves.size(); ++i) place_[index(halves[i])] = static_cast<int>(i);
+      graph_.crowded_nodes += halves.size() > 2;
+    }
+  }
+
+  // ---- Regions ----
+
+  /// The half-edge that follows along the region on the left: the next clockwise after the way back.
+  int next(int half) const {
+    const int back = twin(half);
+    const std::vector<int>& halves = around_[index(origin(back))];
+    const int place = place_[index(back)];
+    return halves[index(place == 0 ? static_cast<int>(halves.size()) - 1 : place - 1)];
+  }
+
+  void trace_regions() {
+    region_.assign(2 * graph_.edges.size(), -1);
+    for (int start = 0; start < static_cast<int>(region_.size()); ++start) {
+      if (region_[index(start)] >= 0) continue;
+      for (int half = start; region_[index(half)] < 0; half = next(half)) region_[index(half)] = regions_;
+      ++regions_;
+    }
+  }
+
+  /// Euler's formula, for each component.
+  void check_planarity() {
+    component_.assign(network_.nodes.size(), -1);
+    std::vector<int> stack;
+    for (std::size_t start = 0; start < around_.size(); ++start) {
+      if (component_[start] >= 0 || around_[start].empty()) continue;
+      const int name = static_cast<int>(leftmost_.size());
+      int leftmost = static_cast<int>(start), half_edges = 0, nodes = 0;
+      std::vector<int> faces;
+      component_[start] = name;
+      stack.push_back(static_cast<int>(start));
+      while (!stack.empty()) {
+        const int n = stack.back();
+        stack.pop_back();
+        ++nodes;
+        if (std::array{node(n).x, node(n).y} < std::array{node(leftmost).x, node(leftmost).y}) leftmost = n;
+        for (const int half : around_[index(n)]) {
+          ++half_edges;
+          faces.push_back(region_[index(half)]);
+          const int other = origin(twin(half));
+          if (component_[index(other)] >= 0) continue;
+          component_[index(other)] = name;
+          stack.push_back(other);
+        }
+      }
+      std::sort(faces.begin(), faces.end());
+      const auto count = std::unique(faces.begin(), faces.end()) - faces.begin();
+      if (nodes - half_edges / 2 + static_cast<int>(count) != 2) graph_.broken.push_back(leftmost);
+      leftmost_.push_back(leftmost);
+    }
+    graph_.regions = regions_ - static_cast<long>(leftmost_.size());
+  }
+
+  /// Of each component's leftmost node, with respect to the other components.
+  std::vector<Winding> windings_from_outside() const {
+    std::vector<Winding> winding(leftmost_.size());
+    if (leftmost_.size() < 2) return winding;
+    Box all;
+    for (const Point& p : network_.nodes) all.extend(p);
+    std::vector<Box> boxes(graph_.edges.size());
+    for (std::size_t e = 0; e < boxes.size(); ++e)
+      for (const Point& p : network_.polygon(arc(static_cast<int>(2 * e)))) boxes[e].extend(p);
+    for (const int n : leftmost_) {
+      Box ray;
+      ray.extend(node(n));
+      ray.extend({all.low.x, node(n).y});
+      boxes.push_back(ray);
+    }
+    const int edges = static_cast<int>(graph_.edges.size());
+    visit_overlapping_pairs(boxes, [&](int e, int ray) {
+      if (e >= edges || ray < edges) return true;
+      const int c = ray - edges, n = leftmost_[index(c)];
+      if (component_[index(arc(2 * e).from)] != c)
+        add_winding(winding[index(c)], graph_.edges[index(e)].jump, crossing(network_.polygon(arc(2 * e)), node(n)));
+      return true;
+    });
+    return winding;
+  }
+
+  /// How the arc crosses the ray from p to -x: -1 upwards (p lies on its right), 1 downwards, 0 not at all.
+  static int crossing(std::span<const Point> polygon, const Point& p) {
+    const bool from_above = polygon.front().y > p.y, to_above = polygon.back().y > p.y;
+    if (from_above == to_above) return 0;
+    double low = 0, high = 1;
+    for (int i = 0; i < 60; ++i) {
+      const double middle = low + (high - low) / 2;
+      ((bezier_point(polygon, middle).y > p.y) == from_above ? low : high) = middle;
+    }
+    return bezier_point(polygon, low).x < p.x ? (from_above ? 1 : -1) : 0;
+  }
+
+  void propagate(const std::function<int(const Winding&)>& owner) {
+    std::vector<Winding> winding(index(regions_));
+    std::vector<bool> known(index(regions_), false);
+    std::vector<std::vector<int>> halves_of(index(regions_));
+    for (std::size_t half = 0; half < region_.size(); ++half)
+      halves_of[index(region_[half])].push_back(static_cast<int>(half));
+    const std::vector<Winding> from_outside = windings_from_outside();
+    std::vector<int> stack;
+    for (std::size_t c = 0; c < leftmost_.size(); ++c) {
+      // Around the leftmost node, -x lies behind the last half-edge and before the first.
+      const int outer = region_[index(around_[index(leftmost_[c])].back())];
+      winding[index(outer)] = from_outside[c];
+      known[index(outer)] = true;
+      stack.push_back(outer);
+    }
+    while (!stack.empty()) {
+      const int here = stack.back();
+      stack.pop_back();
+      for (const int half : halves_of[index(here)]) {
+        const int there = region_[index(twin(half))];
+        Winding beyond = winding[index(here)];
+        add_winding(beyond, graph_.edges[index(half / 2)].jump, half % 2 == 0 ? -1 : 1);
+        if (!known[index(there)]) {
+          known[index(there)] = true;
+          winding[index(there)] = std::move(beyond);
+          stack.push_back(there);
+        } else if (winding[index(there)] != beyond) {
+          graph_.broken.push_back(origin(half));
+        }
+      }
+    }
+    std::vector<int> owners(index(regions_));
+    std::transform(winding.begin(), winding.end(), owners.begin(), owner);
+    for (std::size_t e = 0; e < graph_.edges.size(); ++e) {
+      graph_.edges[e].left = owners[index(region_[2 * e])];
+      graph_.edges[e].right = owners[index(region_[2 * e + 1])];
+    }
+  }
+
+  const ArcNetwork& network_;
+  std::span<const SidedCurve> curves_;
+  ArcTolerances tolerances_;
+  ArrangementGraph graph_;
+  std::vector<std::vector<int>> around_;  // half-edges that leave a node, counter-clockwise from -x
+  std::vector<int> place_;                // of a half-edge among those around its origin
+  std::vector<int> region_;               // on the left of a half-edge
+  int regions_ = 0;
+  std::vector<int> component_;  // of a node
+  std::vector<int> leftmost_;   // node of a component
+};
+
+}  // namespace
+
+ArrangementGraph build_graph(const ArcNetwork& network, std::span<const SidedCurve> curves,
+                             const ArcTolerances& tolerances, const std::function<int(const Winding&)>& owner) {
+  return GraphBuilder(network, curves, tolerances).build(owner);
+}
+
+}  // namespace pliant

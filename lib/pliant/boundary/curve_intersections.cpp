@@ -1,0 +1,393 @@
+#include "pliant/boundary/curve_intersections.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+
+#include "pliant/boundary/hull_separation.h"
+#include "pliant/geometry/bspline.h"
+
+namespace pliant {
+namespace {
+
+constexpr double corner_tolerance = 1e-10;  // of the distance from a common end
+constexpr double corner_margin = 1e-13;     // radians
+constexpr double least_corner = 1e4;        // tolerances: a cusp's sides are not compared any closer to its tip
+constexpr int most_pairs = 20000;
+constexpr double least_gain = 0.8;  // clipping that leaves more than this is followed by halving
+constexpr int newton_steps = 12;
+
+using Polygon = std::array<Point, max_curve_degree + 1>;
+
+/// A part of a curve: its control points, and its ends as parameters of the whole.
+struct Part {
+  Polygon points;
+  int degree;
+  double from, to;
+
+  std::span<const Point> polygon() const { return {points.data(), static_cast<std::size_t>(degree) + 1}; }
+  const Point& at(int i) const { return points[static_cast<std::size_t>(i)]; }
+  double parameter(double u) const { return u == 1 ? to : from + u * (to - from); }
+  Box box() const {
+    Box all;
+    for (const Point& p : polygon()) all.extend(p);
+    return all;
+  }
+  double extent() const { return box().size(); }
+  Part part(double u0, double u1) const {
+    Part result{{}, degree, parameter(u0), parameter(u1)};
+    bezier_part(polygon(), u0, u1, std::span<Point>(result.points).first(polygon().size()));
+    return result;
+  }
+  Part reversed() const { return part(1, 0); }
+};
+
+Part whole(std::span<const Point> polygon, const Point& origin) {
+  Part part{{}, static_cast<int>(polygon.size()) - 1, 0, 1};
+  for (std::size_t i = 0; i < polygon.size(); ++i) part.points[i] = polygon[i] - origin;
+  return part;
+}
+
+/// Value and derivative.
+struct Jet {
+  Point value;
+  Vector derivative;
+};
+
+Jet jet_at(std::span<const Point> polygon, double t) {
+  const auto p = polygon.size() - 1;
+  Polygon work;
+  std::copy(polygon.begin(), polygon.end(), work.begin());
+  for (std::size_t r = 0; r + 1 < p; ++r)
+    for (std::size_t i = 0; i < p - r; ++i) work[i] = (1 - t) * work[i] + t * work[i + 1];
+  return {(1 - t) * work[0] + t * work[1], static_cast<double>(p) * (work[1] - work[0])};
+}
+
+/// The interval of [0, 1] outside of which a polynomial with these Bernstein coefficients lies outside of [low, high]:
+/// the hull of its control points (i / p, d_i), cut with that band. Empty: first > second.
+std::pair<double, double> clip_to_band(std::span<const double> d, double low, double high) {
+  const auto p = d.size() - 1;
+  double first = 2, last = -1;
+  const auto take = [&](double u) {
+    first = std::min(first, u);
+    last = std::max(last, u);
+  };
+  for (std::size_t i = 0; i <= p; ++i) {
+    const double u = static_cast<double>(i) / static_cast<double>(p);
+    if (low <= d[i] && d[i] <= high) take(u);
+    for (std::size_t j = i + 1; j <= p; ++j) {
+      const double v = static_cast<double>(j) / static_cast<double>(p);
+      for (const double level : {low, high})
+        if ((d[i] < level) != (d[j] < level)) take(std::clamp(u + (level - d[i]) / (d[j] - d[i]) * (v - u), u, v));
+    }
+  }
+  return {first, last};
+}
+
+class MeetingSearch {
+ public:
+  std::vector<Meeting> found;
+
+  void search(const Part& a, const Part& b, const CommonEnds& common, double tolerance) {
+    tolerance_ = tolerance;
+    const int count = common.start_start + common.start_end + common.end_start + common.end_end;
+    if (count == 0) {
+      meet_ends(a, b, common);
+      meet(a, b);
+    } else if (count == 1) {
+      from_common_end(common.end_start || common.end_end ? a.reversed() : a,
+                      common.start_end || common.end_end ? b.reversed() : b);
+    } else if (!coincide(a, b)) {
+      const std::array halves_a{a.part(0, 0.5), a.part(0.5, 1)}, halves_b{b.part(0, 0.5), b.part(0.5, 1)};
+      const std::array both{common.start_start, common.start_end, common.end_start, common.end_end};
+      for (std::size_t i = 0; i < 2; ++i)
+        for (std::size_t j = 0; j < 2; ++j) {
+          CommonEnds here;
+          if (both[2 * i + j])
+            (i == 0 ? (j == 0 ? here.start_start : here.start_end) : (j == 0 ? here.end_start : here.end_end)) = true;
+          search(halves_a[i], halves_b[j], here, tolerance);
+        }
+    }
+  }
+
+  /// Ends of one curve on the other.
+  void search_ends(const Part& a, const Part& b, const CommonEnds& common, double tolerance) {
+    const bool meet_in_a_node = common.start_start || common.start_end || common.end_start || common.end_end;
+    tolerance_ = meet_in_a_node ? std::min(tolerance, corner_tolerance * std::min(a.extent(), b.extent())) : tolerance;
+    meet_ends(a, b, common);
+  }
+
+ private:
+  void report(const Part& a, double u, const Part& b, double v) { found.push_back({a.parameter(u), b.parameter(v)}); }
+
+  void meet_ends(const Part& a, const Part& b, const CommonEnds& common) {
+    const std::array start_of{common.start_start || common.start_end, common.start_start || common.end_start};
+    const std::array end_of{common.end_start || common.end_end, common.start_end || common.end_end};
+    for (const double u : {0.0, 1.0})
+      if (!(u == 0 ? start_of[0] : end_of[0]))
+        if (const auto v = on(b, a.at(u == 0 ? 0 : a.degree), tolerance_)) report(a, u, b, *v);
+    for (const double v : {0.0, 1.0})
+      if (!(v == 0 ? start_of[1] : end_of[1]))
+        if (const auto u = on(a, b.at(v == 0 ? 0 : b.degree), tolerance_)) report(a, *u, b, v);
+  }
+
+  static std::optional<double> on(const Part& part, const Point& p, double tolerance) {
+    const Box box = part.box();
+    if (p.x < box.low.x - tolerance || p.x > box.high.x + tolerance || p.y < box.low.y - tolerance ||
+        p.y > box.high.y + tolerance)
+      return std::nullopt;
+    const Nearest nearest = nearest_on_curve(part.polygon(), p);
+    if (nearest.distance <= tolerance) return nearest.t;
+    return std::nullopt;
+  }
+
+  /// No leg of one is parallel to any of the other: the curves meet once at most.
+  static bool is_transversal(const Part& a, const Part& b) {
+    int sign = 0;
+    for (int i = 0; i < a.degree; ++i) {
+      const Vector leg = a.at(i + 1) - a.at(i);
+      if (leg == Vector{}) continue;
+      for (int j = 0; j < b.degree; ++j) {
+        const Vector other = b.at(j + 1) - b.at(j);
+        if (other == Vector{}) continue;
+        const double turn = cross(leg, other), least = 1e-12 * length(leg) * length(other);
+        const int here = turn > least ? 1 : turn < -least ? -1 : 0;
+        if (here == 0 || (sign != 0 && here != sign)) return false;
+        sign = here;
+      }
+    }
+    return sign != 0;
+  }
+
+  /// Of curves that meet once at most; false: the iteration found nothing.
+  bool refine(const Part& a, const Part& b) {
+    double u = 0.5, v = 0.5;
+    for (int step = 0; step < newton_steps; ++step) {
+      const Jet p = jet_at(a.polygon(), u), q = jet_at(b.polygon(), v);
+      const Vector gap = q.value - p.value;
+      const double det = cross(p.derivative, q.derivative);
+      if (!(std::fabs(det) > 0)) return false;
+      const double next_u = std::clamp(u + cross(gap, q.derivative) / det, 0.0, 1.0);
+      const double next_v = std::clamp(v + cross(gap, p.derivative) / det, 0.0, 1.0);
+      const bool stays = std::fabs(next_u - u) <= 1e-16 && std::fabs(next_v - v) <= 1e-16;
+      u = next_u;
+      v = next_v;
+      if (stays) break;
+    }
+    const double gap = distance(bezier_point(a.polygon(), u), bezier_point(b.polygon(), v));
+    const bool inside = 0 < u && u < 1 && 0 < v && v < 1;
+    if (gap > (inside ? 1e-3 : 1.0) * tolerance_) return false;
+    report(a, u, b, v);
+    return true;
+  }
+
+  /// Do the curves run along each other, from an end of one to an end of one, within twice the tolerance?
+  bool coincide(const Part& a, const Part& b) {
+    struct Pair {
+      double u, v;
+    };
+    std::array<Pair, 4> ends;
+    std::size_t count = 0;
+    const double reach = 2 * tolerance_;
+    for (const double u : {0.0, 1.0})
+      if (const auto v = on(b, a.at(u == 0 ? 0 : a.degree), reach)) ends[count++] = {u, *v};
+    for (const double v : {0.0, 1.0})
+      if (const auto u = on(a, b.at(v == 0 ? 0 : b.degree), reach)) ends[count++] = {*u, v};
+    if (count < 2) return false;
+    const auto [low, high] = std::minmax_element(ends.begin(), ends.begin() + static_cast<std::ptrdiff_t>(count),
+                                                 [](const Pair& x, const Pair& y) { return x.u < y.u; });
+    if (distance(bezier_point(a.polygon(), low->u), bezier_point(a.polygon(), high->u)) <= tolerance_) return false;
+    const int samples = 2 * (a.degree + b.degree) + 1;
+    for (int i = 1; i < samples; ++i) {
+      // The middle comes early: curves that part are known by it.
+      const double where = static_cast<double>(i % 2 == 1 ? (samples + i) / 2 : (samples - i + 1) / 2) / samples;
+      if (!on(b, bezier_point(a.polygon(), low->u + where * (high->u - low->u)), reach)) return false;
+    }
+    report(a, low->u, b, low->v);
+    report(a, high->u, b, high->v);
+    return true;
+  }
+
+  void meet(const Part& a, const Part& b) {
+    if (hulls_apart(a.polygon(), b.polygon(), tolerance_)) return;
+    const double extent_a = a.extent(), extent_b = b.extent();
+    if ((extent_a <= tolerance_ && extent_b <= tolerance_) || ++pairs_ > most_pairs) return report(a, 0.5, b, 0.5);
+    if (is_transversal(a, b)) {
+      if (refine(a, b)) return;
+    } else if (coincide(a, b)) {
+      return;
+    }
+    if (extent_a >= extent_b)
+      cut_first(a, b, [this](const Part& x, const Part& y) { meet(x, y); });
+    else
+      cut_first(b, a, [this](const Part& x, const Part& y) { meet(y, x); });
+  }
+
+  /// Clips `a` with the fat line of `b`, or halves it, and goes on with what is left.
+  template <class Next>
+  void cut_first(const Part& a, const Part& b, const Next& next) {
+    const Vector chord = b.at(b.degree) - b.at(0);
+    const double size = length(chord);
+    if (size > tolerance_) {
+      double low = 0, high = 0;
+      for (const Point& p : b.polygon()) {
+        const double d = cross(chord, p - b.at(0)) / size;
+        low = std::min(low, d);
+        high = std::max(high, d);
+      }
+      std::array<double, max_curve_degree + 1> d;
+      for (int i = 0; i <= a.degree; ++i) d[static_cast<std::size_t>(i)] = cross(chord, a.at(i) - b.at(0)) / size;
+      const auto [first, last] =
+          clip_to_band(std::span<const double>(d).first(a.polygon().size()), low - tolerance_, high + tolerance_);
+      if (first > last) return;
+      if (last - first < least_gain) {
+        const double slack = 1e-15;  // clipping to a point would leave no curve to clip
+        return next(a.part(std::max(0.0, first - slack), std::min(1.0, last + slack)), b);
+      }
+    }
+    next(a.part(0, 0.5), b);
+    next(a.part(0.5, 1), b);
+  }
+
+  /// Both start in the same point. Coordinates relative to it keep their relative precision all the way down.
+  void from_common_end(Part a, Part b) {
+    const double tolerance = tolerance_;
+    const Point origin = a.at(0);
+    for (Part* part : {&a, &b})
+      for (Point& p : part->points) p -= origin;
+    const double least = least_corner * tolerance;
+    for (;;) {
+      if (cones_apart(a.polygon(), b.polygon(), corner_margin)) break;
+      const double extent_a = a.extent(), extent_b = b.extent();
+      const double extent_both = std::min(extent_a, extent_b);
+      tolerance_ = std::min(tolerance, corner_tolerance * extent_both);
+      if (!(extent_both > least) || coincide(a, b)) break;
+      const bool cut_a = extent_a >= extent_b / 2, cut_b = extent_b >= extent_a / 2;
+      const Part near_a = cut_a ? a.part(0, 0.5) : a, near_b = cut_b ? b.part(0, 0.5) : b;
+      if (cut_b) meet(near_a, b.part(0.5, 1));
+      if (cut_a) meet(a.part(0.5, 1), near_b);
+      if (cut_a && cut_b) meet(a.part(0.5, 1), b.part(0.5, 1));
+      a = near_a;
+      b = near_b;
+    }
+    tolerance_ = tolerance;
+  }
+
+  double tolerance_ = 0;
+  int pairs_ = 0;
+};
+
+/// Appends the roots in (from, to) of the polynomial with these Bernstein coefficients on it; destroys them.
+void append_roots(std::vector<double> c, double from, double to, int depth, std::vector<double>& roots) {
+  int changes = 0;
+  double sign = 0;
+  for (const double v : c) {
+    if (v == 0) continue;
+    changes += sign * v < 0;
+    sign = v > 0 ? 1 : -1;
+  }
+  if (changes == 0 && !(c.front() == 0 && depth > 0)) return;
+  const double middle = from + (to - from) / 2;
+  if (depth > 52 || middle <= from || middle >= to) return roots.push_back(middle);
+  if (changes == 0) return roots.push_back(from);  // a zero at a cut between halves
+  std::vector<double> left(c.size());
+  for (std::size_t r = 0; r < c.size(); ++r) {
+    left[r] = c[0];
+    for (std::size_t i = 0; i + r + 1 < c.size(); ++i) c[i] = 0.5 * (c[i] + c[i + 1]);
+  }
+  // What is left in c is the right half, back to front in time: c[i] is its coefficient i.
+  append_roots(std::move(left), from, middle, depth + 1, roots);
+  append_roots(std::move(c), middle, to, depth + 1, roots);
+}
+
+}  // namespace
+
+Point bezier_point(std::span<const Point> polygon, double t) { return jet_at(polygon, t).value; }
+
+void bezier_part(std::span<const Point> polygon, double t0, double t1, std::span<Point> out) {
+  const auto p = polygon.size() - 1;
+  assert(out.size() == polygon.size());
+  if (t0 == 0 && t1 == 1) {
+    std::copy(polygon.begin(), polygon.end(), out.begin());
+  } else if (t0 == 1 && t1 == 0) {
+    std::reverse_copy(polygon.begin(), polygon.end(), out.begin());
+  } else {
+    Polygon work;
+    for (std::size_t k = 0; k <= p; ++k) {  // the blossom at p - k times t0 and k times t1
+      std::copy(polygon.begin(), polygon.end(), work.begin());
+      for (std::size_t r = 0; r < p; ++r) {
+        const double t = r < k ? t1 : t0;
+        for (std::size_t i = 0; i < p - r; ++i) work[i] = (1 - t) * work[i] + t * work[i + 1];
+      }
+      out[k] = work[0];
+    }
+  }
+}
+
+Nearest nearest_on_curve(std::span<const Point> polygon, const Point& p) {
+  const int samples = 2 * static_cast<int>(polygon.size());
+  double best = 0, least = HUGE_VAL;
+  const auto try_at = [&](double t) {
+    const double d = squared_length(bezier_point(polygon, t) - p);
+    if (!(d < least)) return false;
+    best = t;
+    least = d;
+    return true;
+  };
+  for (int i = 0; i <= samples; ++i) try_at(static_cast<double>(i) / samples);
+  // Gauss-Newton on the distance, which is small where it matters; steps that do not come nearer are halved.
+  for (int step = 0; step < 30; ++step) {
+    const Jet jet = jet_at(polygon, best);
+    const double speed = squared_length(jet.derivative);
+    if (!(speed > 0)) break;
+    double by = dot(p - jet.value, jet.derivative) / speed;
+    bool nearer = false;
+    for (int halving = 0; halving < 5 && !nearer; ++halving, by /= 2) nearer = try_at(std::clamp(best + by, 0.0, 1.0));
+    if (!nearer) break;
+  }
+  return {best, std::sqrt(least)};
+}
+
+std::vector<double> monotone_cuts(std::span<const Point> polygon, double least) {
+  const std::size_t p = polygon.size() - 1;
+  std::vector<double> roots;
+  for (const double Point::*axis : {&Point::x, &Point::y}) {
+    std::vector<double> legs(p);
+    for (std::size_t i = 0; i < p; ++i) {
+      legs[i] = polygon[i + 1].*axis - polygon[i].*axis;
+      if (std::fabs(legs[i]) <= least / 16) legs[i] = 0;
+    }
+    append_roots(std::move(legs), 0, 1, 0, roots);
+  }
+  std::sort(roots.begin(), roots.end());
+  std::vector<double> cuts;
+  Polygon part;
+  const auto extent = [&](double t0, double t1) {
+    bezier_part(polygon, t0, t1, std::span<Point>(part).first(p + 1));
+    Box box;
+    for (std::size_t i = 0; i <= p; ++i) box.extend(part[i]);
+    return box.size();
+  };
+  for (const double t : roots)
+    if (0 < t && t < 1 && extent(cuts.empty() ? 0 : cuts.back(), t) > least && extent(t, 1) > least) cuts.push_back(t);
+  return cuts;
+}
+
+std::vector<Meeting> find_meetings(std::span<const Point> a, std::span<const Point> b, const CommonEnds& common,
+                                   double tolerance) {
+  MeetingSearch search;
+  const Point origin = a.front();
+  search.search(whole(a, origin), whole(b, origin), common, tolerance);
+  return std::move(search.found);
+}
+
+std::vector<Meeting> find_end_meetings(std::span<const Point> a, std::span<const Point> b, const CommonEnds& common,
+                                       double tolerance) {
+  MeetingSearch search;
+  const Point origin = a.front();
+  search.search_ends(whole(a, origin), whole(b, origin), common, tolerance);
+  return std::move(search.found);
+}
+
+}  // namespace pliant
