@@ -1,0 +1,22 @@
+#pragma once  // formats/svg_import/affine.h: affine maps of the plane
+#include <cmath>
+
+#include "pliant/geometry/point.h"
+
+namespace pliant::svg {
+
+/// (x, y) -> (a x + c y + e, b x + d y + f), SVG's letters.
+struct Affine {
+  double a = 1, b = 0, c = 0, d = 1, e = 0, f = 0;
+
+  Point operator()(const Point& p) const { return {a * p.x + c * p.y + e, b * p.x + d * p.y + f}; }
+  Vector turn(const Vector& v) const { return {a * v.x + c * v.y, b * v.x + d * v.y}; }
+  /// First `second`, then this.
+  Affine operator*(const Affine& m) const {
+    return {a * m.a + c * m.b, b * m.a + d * m.b,     a * m.c + c * m.d,
+            b * m.c + d * m.d, a * m.e + c * m.f + e, b * m.e + d * m.f + f};
+  }
+  double determinant() const { return a * d - b * c; }
+};
+
+}  // namespace pliant::svg

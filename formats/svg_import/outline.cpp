@@ -1,0 +1,58 @@
+#include "formats/svg_import/outline.h"  // formats/svg_import/outline.cpp
+
+#include <numbers>
+
+namespace pliant::svg {
+
+void Outline::transform(const Affine& map) {
+  std::size_t next = 0;
+  for (const Step step : steps) {
+    Point* p = points.data() + next;
+    const auto count = static_cast<std::size_t>(point_count(step));
+    next += count;
+    if (step == Step::arc) {
+      p[0] = map(p[0]);
+      p[1] = map.turn(p[1]);
+      p[2] = map.turn(p[2]);
+      p[4] = map(p[4]);  // p[3] holds angles of the parameter
+    } else {
+      for (std::size_t i = 0; i < count; ++i) p[i] = map(p[i]);
+    }
+  }
+}
+
+void add_arc(Outline& out, const Point& from, double rx, double ry, double turned, bool large, bool sweep,
+             const Point& to) {
+  constexpr double pi = std::numbers::pi;
+  if (from == to) return;
+  rx = std::abs(rx);
+  ry = std::abs(ry);
+  if (rx == 0 || ry == 0) return out.line(to);
+  const double phi = std::remainder(turned, 360) * (pi / 180);
+  const Vector axis = std::remainder(turned, 90) == 0 ? Vector{std::round(std::cos(phi)), std::round(std::sin(phi))}
+                                                      : Vector{std::cos(phi), std::sin(phi)};
+  // The half chord on the unit circle, that is with the axes scaled to 1.
+  const Vector half = (from - to) / 2;
+  const Vector h{dot(axis, half) / rx, cross(axis, half) / ry};
+  const double length_squared = squared_length(h);
+  Vector middle;  // from the chord's middle to the centre, on the unit circle
+  if (length_squared >= 1) {
+    const double grow = std::sqrt(length_squared);
+    rx *= grow;
+    ry *= grow;
+  } else {
+    const double side = (large == sweep ? -1 : 1) * std::sqrt((1 - length_squared) / length_squared);
+    middle = side * Vector{h.y, -h.x};
+  }
+  const Vector start = h - middle, end = -h - middle;  // only their angles matter
+  const Vector u = rx * axis, v = ry * perpendicular(axis);
+  const Point center = (from + to) / 2 + u * middle.x + v * middle.y;
+  if (!is_finite(center)) return out.line(to);  // a radius beyond all measure
+  const double angle = std::atan2(start.y, start.x);
+  double turn = std::atan2(cross(start, end), dot(start, end));
+  if (sweep && turn < 0) turn += 2 * pi;
+  if (!sweep && turn > 0) turn -= 2 * pi;
+  out.arc(center, u, v, angle, turn, to);
+}
+
+}  // namespace pliant::svg

@@ -1,0 +1,33 @@
+#pragma once  // formats/svg_import/scene.h: what a drawing fills: groups, transforms, viewports, `use` and styles
+              // resolved
+#include <string>
+#include <vector>
+
+#include "formats/svg_import/element_tree.h"
+#include "formats/svg_import/outline.h"
+
+namespace pliant::svg {
+
+inline constexpr std::size_t max_steps = 2'000'000;  ///< of all outlines together, copies by `use` counted each
+inline constexpr long max_visits = 1'000'000;        ///< of elements, those in copies counted each time
+inline constexpr double max_coordinate = 1e100;
+
+/// One filled shape.
+struct Shape {
+  std::string name;  ///< id of the element or of the `use` that shows it, else its kind and number; no two alike
+  long line = 0;     ///< of the document
+  bool even_odd = false;
+  Outline outline;  ///< in the root's user units, y upwards
+};
+
+struct Scene {
+  std::vector<Shape> shapes;      ///< in the order in which they are painted
+  long unfilled = 0, hidden = 0;  ///< shapes that were left out
+  std::vector<std::string> warnings;
+};
+
+/// Walks the document as it is painted.
+/// Throws      InputError with the element's line and column: bad attributes, `use` that contains itself, limits
+Scene read_scene(const ElementTree& tree);
+
+}  // namespace pliant::svg

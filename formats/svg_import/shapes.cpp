@@ -1,0 +1,139 @@
+#include "formats/svg_import/shapes.h"  // formats/svg_import/shapes.cpp
+
+#include <algorithm>
+#include <numbers>
+
+#include "formats/svg_import/path_data.h"
+#include "pliant/boundary/fault.h"
+
+namespace pliant::svg {
+namespace {
+
+/// A quarter of an ellipse with axes along the coordinates, by its quarter: 0 starts on the x axis, in the direction of
+/// growing angles.
+void add_quarter(Outline& out, const Point& center, double rx, double ry, int quarter, const Point& end) {
+  constexpr double right = std::numbers::pi / 2;
+  static constexpr Vector axes[] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
+  const Vector a = axes[quarter % 4], b = axes[(quarter + 1) % 4];
+  out.arc(center, {rx * a.x, ry * a.y}, {rx * b.x, ry * b.y}, 0, right, end);
+}
+
+void add_ellipse(Outline& out, const Point& c, double rx, double ry) {
+  if (rx == 0 || ry == 0) return;
+  const Point ends[] = {{c.x + rx, c.y}, {c.x, c.y + ry}, {c.x - rx, c.y}, {c.x, c.y - ry}};
+  out.move(ends[0]);
+  for (int quarter = 0; quarter < 4; ++quarter) add_quarter(out, c, rx, ry, quarter, ends[(quarter + 1) % 4]);
+  out.close();
+}
+
+/// A length that must not be negative; "auto" is `otherwise`.
+double extent(const Element& element, const char* attribute, Along along, const Viewport& viewport, double otherwise) {
+  const std::string* value = element.find(attribute);
+  if (value != nullptr && *value == "auto") return otherwise;
+  const double length = length_of(element, attribute, along, viewport, otherwise);
+  if (value != nullptr && length < 0) refuse(element, std::string(attribute) + " is negative: '" + *value + "'");
+  return length;
+}
+
+void add_rect(Outline& out, const Element& element, const Viewport& viewport) {
+  const double x = length_of(element, "x", Along::x, viewport), y = length_of(element, "y", Along::y, viewport);
+  const double width = extent(element, "width", Along::x, viewport, 0);
+  const double height = extent(element, "height", Along::y, viewport, 0);
+  if (width == 0 || height == 0) return;
+  double rx = extent(element, "rx", Along::x, viewport, -1), ry = extent(element, "ry", Along::y, viewport, -1);
+  // One radius stands for both.
+  if (rx < 0) rx = ry;
+  if (ry < 0) ry = rx;
+  rx = std::clamp(rx, 0.0, width / 2);
+  ry = std::clamp(ry, 0.0, height / 2);
+  const double right = x + width, low = y + height;
+  if (rx == 0 || ry == 0) {
+    out.move({x, y});
+    out.line({right, y});
+    out.line({right, low});
+    out.line({x, low});
+    return out.close();
+  }
+  out.move({x + rx, y});
+  out.line({right - rx, y});
+  add_quarter(out, {right - rx, y + ry}, rx, ry, 3, {right, y + ry});
+  out.line({right, low - ry});
+  add_quarter(out, {right - rx, low - ry}, rx, ry, 0, {right - rx, low});
+  out.line({x + rx, low});
+  add_quarter(out, {x + rx, low - ry}, rx, ry, 1, {x, low - ry});
+  out.line({x, y + ry});
+  add_quarter(out, {x + rx, y + ry}, rx, ry, 2, {x + rx, y});
+  out.close();
+}
+
+}  // namespace
+
+std::string describe(const Element& element) {
+  const std::string* id = element.find("id");
+  return id == nullptr ? element.name : element.name + " '" + *id + "'";
+}
+
+void refuse(const Element& element, const std::string& text) {
+  throw InputError(place_of(element), describe(element) + ": " + text);
+}
+
+void refuse(const Element& element, const char* attribute, const SyntaxError& error) {
+  refuse(element, std::string(attribute) + ", offset " + std::to_string(error.offset()) + ": " + error.what());
+}
+
+double length_of(const Element& element, const char* attribute, Along along, const Viewport& viewport,
+                 double otherwise) {
+  const std::string* value = element.find(attribute);
+  if (value == nullptr) return otherwise;
+  Length length;
+  try {
+    length = parse_length(*value);
+  } catch (const SyntaxError& e) {
+    refuse(element, attribute, e);
+  }
+  if (length.unit == Unit::user) return length.value;
+  const double whole = along == Along::x   ? viewport.width
+                       : along == Along::y ? viewport.height
+                                           : std::hypot(viewport.width, viewport.height) / std::numbers::sqrt2;
+  if (!std::isfinite(whole))
+    refuse(element, std::string(attribute) + " is '" + *value +
+                        "', but the drawing has neither a viewBox nor a width and height that a part could be of");
+  return whole * length.value / 100;
+}
+
+bool is_shape(std::string_view name) {
+  return name == "path" || name == "rect" || name == "circle" || name == "ellipse" || name == "polygon" ||
+         name == "polyline";
+}
+
+Outline outline_of(const Element& element, const Viewport& viewport) {
+  Outline out;
+  if (element.name == "path" || element.name == "polygon" || element.name == "polyline") {
+    const bool is_path = element.name == "path";
+    const char* attribute = is_path ? "d" : "points";
+    const std::string* value = element.find(attribute);
+    if (value == nullptr) return out;
+    try {
+      return is_path ? parse_path_data(*value) : parse_points(*value);
+    } catch (const SyntaxError& e) {
+      refuse(element, attribute, e);
+    }
+  }
+  if (element.name == "rect") {
+    add_rect(out, element, viewport);
+    return out;
+  }
+  const Point c{length_of(element, "cx", Along::x, viewport), length_of(element, "cy", Along::y, viewport)};
+  if (element.name == "circle") {
+    const double r = extent(element, "r", Along::both, viewport, 0);
+    add_ellipse(out, c, r, r);
+    return out;
+  }
+  double rx = extent(element, "rx", Along::x, viewport, -1), ry = extent(element, "ry", Along::y, viewport, -1);
+  if (rx < 0) rx = std::max(ry, 0.0);
+  if (ry < 0) ry = rx;
+  add_ellipse(out, c, rx, ry);
+  return out;
+}
+
+}  // namespace pliant::svg

@@ -1,0 +1,34 @@
+#pragma once  // formats/svg_import/shapes.h: the outlines of path, rect, circle, ellipse, polyline and polygon
+#include "formats/svg_import/element_tree.h"
+#include "formats/svg_import/outline.h"
+#include "formats/svg_import/scanner.h"
+
+namespace pliant::svg {
+
+/// What percentages refer to, in user units.
+struct Viewport {
+  double width, height;  ///< NaN: unknown, then percentages are refused
+};
+enum class Along { x, y, both };
+
+/// The length of an attribute in user units; `otherwise` where it is missing.
+/// Throws      InputError with the element's line and column
+double length_of(const Element& element, const char* attribute, Along along, const Viewport& viewport,
+                 double otherwise = 0);
+
+/// Is it the name of an element that has an interior? (`line` has none.)
+bool is_shape(std::string_view name);
+
+/// The outline of a shape in its own coordinates, in the direction that SVG prescribes; empty where the shape is not
+/// drawn (a width of 0).
+/// Throws      InputError with the element's line and column: syntax, negative lengths
+Outline outline_of(const Element& element, const Viewport& viewport);
+
+/// The element's name and id: "path 'wing'".
+std::string describe(const Element& element);
+/// Throws an InputError with the element's place.
+[[noreturn]] void refuse(const Element& element, const std::string& text);
+/// Says what is wrong with an attribute, and where in its value.
+[[noreturn]] void refuse(const Element& element, const char* attribute, const SyntaxError& error);
+
+}  // namespace pliant::svg

@@ -1,0 +1,66 @@
+#pragma once  // formats/svg_import/style.h: the properties that decide what is filled: attributes and style sheets
+#include <array>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "formats/svg_import/element_tree.h"
+
+namespace pliant::svg {
+
+/// Those that are read.
+enum class Property {
+  fill,
+  fill_rule,
+  fill_opacity,
+  opacity,
+  display,
+  visibility,
+  stroke,
+  clip_path,
+  mask,
+  filter,
+  transform
+};
+inline constexpr std::size_t property_count = 11;
+
+/// One element's own declarations, empty where it has none; `fill` and so on as they are written.
+using Declarations = std::array<std::string_view, property_count>;
+
+/// Style sheets of a document.
+class StyleSheets {
+ public:
+  /// Reads every `style` element. The tree must outlive this.
+  explicit StyleSheets(const ElementTree& tree);
+  /// What an element itself declares: presentation attributes, then the sheets' rules by specificity, then its style
+  /// attribute, then what is !important. Views stay valid as long as the tree.
+  Declarations declarations_of(const Element& element) const;
+  /// Selectors and rules that were not understood: text and how often.
+  const std::map<std::string, long>& unread() const { return unread_; }
+
+ private:
+  struct Declaration {
+    Property property;
+    std::string_view value;
+    bool important;
+  };
+  struct Rule {
+    std::string_view type, id;  ///< empty: any
+    std::vector<std::string_view> classes;
+    std::size_t first, last;  ///< of declarations_
+    int specificity;
+  };
+  static void parse_declarations(std::string_view text, std::vector<Declaration>& out);
+  void parse_sheet(std::string_view text);
+  void parse_rule(std::string_view selectors, std::string_view body);
+  bool parse_selector(std::string_view selector, Rule& rule) const;
+  static bool matches(const Rule& rule, const Element& element, const std::vector<std::string_view>& classes);
+
+  std::vector<std::string> texts_;  ///< of the sheets, without comments
+  std::vector<Declaration> declarations_;
+  std::vector<Rule> rules_;  ///< ascending in precedence
+  std::map<std::string, long> unread_;
+};
+
+}  // namespace pliant::svg

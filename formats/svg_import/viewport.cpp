@@ -1,0 +1,74 @@
+#include "formats/svg_import/viewport.h"  // formats/svg_import/viewport.cpp
+
+#include <algorithm>
+#include <limits>
+
+namespace pliant::svg {
+namespace {
+
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
+/// The part of the free room before the box: "xMidYMax" along x is 1/2, along y 1.
+double share(const std::string& word, std::size_t at) {
+  const std::string part = word.substr(at, 3);
+  return part == "Min" ? 0 : part == "Max" ? 1 : 0.5;
+}
+
+}  // namespace
+
+std::optional<ViewBox> view_box_of(const Element& element) {
+  const std::string* value = element.find("viewBox");
+  if (value == nullptr) return std::nullopt;
+  ViewBox box{};
+  try {
+    Scanner in(*value);
+    in.skip_space();
+    for (double* number : {&box.x, &box.y, &box.width, &box.height}) {
+      *number = in.number("a number (x, y, width and height)");
+      in.skip_comma();
+    }
+    if (!in.at_end()) in.fail("the end behind four numbers");
+  } catch (const SyntaxError& e) {
+    refuse(element, "viewBox", e);
+  }
+  if (box.width < 0 || box.height < 0) refuse(element, "viewBox has a negative width or height: '" + *value + "'");
+  return box;
+}
+
+Affine fit_view_box(const Element& element, const ViewBox& box, double width, double height) {
+  double sx = width / box.width, sy = height / box.height;
+  double x = 0, y = 0;
+  std::string align = "xMidYMid";
+  bool slice = false;
+  if (const std::string* value = element.find("preserveAspectRatio")) {
+    const std::size_t at = value->find('x');
+    if (value->find("none") != std::string::npos)
+      align = "none";
+    else if (at != std::string::npos)
+      align = value->substr(at, 8);
+    slice = value->find("slice") != std::string::npos;
+  }
+  if (align != "none") {
+    sx = sy = slice ? std::max(sx, sy) : std::min(sx, sy);
+    x = (width - sx * box.width) * share(align, 1);
+    y = (height - sy * box.height) * (align.size() < 8 ? 0.5 : share(align, 5));
+  }
+  return {sx, 0, 0, sy, x - sx * box.x, y - sy * box.y};
+}
+
+Viewport root_viewport(const Element& root) {
+  if (const auto box = view_box_of(root)) return {box->width, box->height};
+  const auto absolute = [&](const char* attribute) {
+    const std::string* value = root.find(attribute);
+    if (value == nullptr || *value == "auto") return unknown;
+    try {
+      const Length length = parse_length(*value);
+      return length.unit == Unit::user ? length.value : unknown;
+    } catch (const SyntaxError& e) {
+      refuse(root, attribute, e);
+    }
+  };
+  return {absolute("width"), absolute("height")};
+}
+
+}  // namespace pliant::svg

@@ -1,0 +1,22 @@
+#pragma once  // formats/svg_import/viewport.h: viewBox and preserveAspectRatio
+#include <optional>
+
+#include "formats/svg_import/affine.h"
+#include "formats/svg_import/shapes.h"
+
+namespace pliant::svg {
+
+struct ViewBox {
+  double x, y, width, height;
+};
+
+/// The attribute viewBox; empty where there is none. Throws InputError.
+std::optional<ViewBox> view_box_of(const Element& element);
+
+/// From a viewBox to the box (0, 0, width, height), as the element's preserveAspectRatio says.
+Affine fit_view_box(const Element& element, const ViewBox& box, double width, double height);
+
+/// What percentages at the top of a drawing refer to.
+Viewport root_viewport(const Element& root);
+
+}  // namespace pliant::svg

@@ -1,0 +1,177 @@
+#include "formats/svg_reader.h"  // formats/svg_reader.cpp: from the filled shapes to faces, curves and vertices
+
+#include <algorithm>
+
+#include "formats/svg_import/element_tree.h"
+#include "formats/svg_import/loops.h"
+#include "formats/svg_import/nesting.h"
+#include "formats/svg_import/scene.h"
+#include "pliant/boundary/boundary_spans.h"
+#include "pliant/boundary/check_boundary.h"
+
+namespace pliant {
+namespace {
+
+using namespace svg;
+
+constexpr const char* not_apart =
+    "the fills of a drawing must be apart from each other: neither cross, nor touch, nor lie over each other";
+
+/// The box of what the outlines pass through, and their control points.
+double size_of(const std::vector<Shape>& shapes) {
+  Box box;
+  for (const Shape& shape : shapes) {
+    std::size_t next = 0;
+    for (const Step step : shape.outline.steps) {
+      const Point* p = shape.outline.points.data() + next;
+      const auto count = static_cast<std::size_t>(point_count(step));
+      next += count;
+      if (step == Step::arc)
+        box.extend(p[4]);
+      else
+        for (std::size_t i = 0; i < count; ++i) box.extend(p[i]);
+    }
+  }
+  return box.size();
+}
+
+/// All loops of all shapes, and the curves that they become.
+class Drawing {
+ public:
+  Drawing(const std::vector<Shape>& shapes, const SvgReadOptions& options, SvgImport& import)
+      : shapes_(shapes), import_(import) {
+    LoopOptions loop_options;
+    loop_options.degree = options.degree;
+    loop_options.size = import.size;
+    loop_options.tolerance = options.tolerance * import.size;
+    LoopCounts counts;
+    all_.reserve(shapes.size());
+    for (const Shape& shape : shapes) all_.push_back(make_loops(shape.outline, loop_options, counts));
+    for (std::size_t s = 0; s < shapes.size(); ++s)
+      for (const Loop& loop : all_[s]) loops_.push_back({static_cast<int>(s), &loop});
+    import.no_area = counts.no_area;
+    import.pieces = counts.pieces;
+    import.fitted = counts.fitted;
+    import.smooth = counts.smooth;
+    import.corners = counts.corners;
+    import.error = counts.fit_error + counts.join_error;
+  }
+
+  bool empty() const { return loops_.empty(); }
+
+  /// The complex of faces that the loops separate.
+  /// Throws      InputError for shapes that meet
+  void make_boundary() {
+    require_apart();
+    std::vector<bool> even_odd;
+    for (const Shape& shape : shapes_) even_odd.push_back(shape.even_odd);
+    const Nesting nesting = nest(loops_, even_odd);
+    if (!nesting.overlaps.empty()) refuse_overlaps(nesting.overlaps);
+    std::vector<int> faces(shapes_.size(), outside);
+    for (std::size_t s = 0; s < shapes_.size(); ++s) {
+      const auto bounds = [&](const Sides& sides) {
+        return sides.inner != sides.outer && (sides.inner == static_cast<int>(s) || sides.outer == static_cast<int>(s));
+      };
+      bool is_bounded = false;
+      for (; next_loop_ < loops_.size() && loops_[next_loop_].shape == static_cast<int>(s); ++next_loop_)
+        is_bounded = is_bounded || bounds(nesting.sides[next_loop_]);
+      if (!is_bounded) continue;
+      faces[s] = static_cast<int>(import_.boundary.faces.size());
+      import_.boundary.faces.push_back({shapes_[s].name, {}});
+    }
+    for (std::size_t l = 0; l < loops_.size(); ++l) {
+      const Sides& sides = nesting.sides[l];
+      if (sides.inner == sides.outer) {
+        ++import_.no_border;
+        continue;
+      }
+      const auto face = [&](int shape) { return shape == nothing ? outside : faces[static_cast<std::size_t>(shape)]; };
+      const int inner = face(sides.inner), outer = face(sides.outer);
+      const bool ccw = sides.is_counterclockwise;
+      add_curves(l, ccw ? inner : outer, ccw ? outer : inner, import_.boundary);
+    }
+  }
+
+ private:
+  const Shape& shape_of(std::size_t loop) const { return shapes_[static_cast<std::size_t>(loops_[loop].shape)]; }
+
+  void add_curves(std::size_t l, int left, int right, BoundaryComplex& boundary) const {
+    const Loop& loop = *loops_[l].loop;
+    const int first = static_cast<int>(boundary.vertices.size());
+    const int count = static_cast<int>(loop.curves.size());
+    for (int k = 0; k < count; ++k) {
+      Curve curve;
+      curve.name = shape_of(l).name;
+      curve.spline = loop.curves[static_cast<std::size_t>(k)];
+      curve.left = left;
+      curve.right = right;
+      if (!curve.spline.closed()) {
+        curve.start = first + k;
+        curve.end = first + (k + 1) % count;
+        if (loop.cusps[static_cast<std::size_t>(k)]) boundary.cusps.push_back(curve.start);
+        boundary.vertices.push_back(curve.spline.points().front());
+      }
+      boundary.curves.push_back(std::move(curve));
+    }
+  }
+
+  /// Holds every loop by itself, a face to its left, to what a boundary must be.
+  void require_apart() const {
+    BoundaryComplex alone;
+    for (std::size_t l = 0; l < loops_.size(); ++l) {
+      double area = 0;
+      for (const BSpline& curve : loops_[l].loop->curves) area += curve.area();
+      add_curves(l, area > 0 ? 0 : outside, area > 0 ? outside : 0, alone);
+    }
+    for (std::size_t l = 0, c = 0; l < loops_.size(); ++l)  // faults name the curves
+      for (std::size_t k = 0; k < loops_[l].loop->curves.size(); ++k)
+        alone.curves[c++].name += ", line " + std::to_string(shape_of(l).line);
+    alone.faces.push_back({"all", {}});
+    std::vector<Fault> faults = check_boundary(alone);
+    if (faults.empty()) faults = check_boundary_geometry(alone);
+    if (faults.empty()) return;
+    std::string text = not_apart;
+    for (const Fault& fault : faults)  // of the face: a crossing one's area means nothing
+      if (fault.place.rfind("/faces", 0) != 0) text += "\n" + fault.text;
+    throw InputError("", text);
+  }
+
+  [[noreturn]] void refuse_overlaps(const std::vector<Overlap>& overlaps) const {
+    std::string text = not_apart;
+    for (const Overlap& overlap : overlaps) {
+      const Shape& over = shapes_[static_cast<std::size_t>(overlap.over)];
+      const Shape& under = shapes_[static_cast<std::size_t>(overlap.under)];
+      text += "\n'" + over.name + "' (line " + std::to_string(over.line) + ") lies over '" + under.name + "' (line " +
+              std::to_string(under.line) + "), at " + describe_point(overlap.place);
+    }
+    throw InputError("", text);
+  }
+
+  const std::vector<Shape>& shapes_;
+  SvgImport& import_;
+  std::vector<std::vector<Loop>> all_;
+  std::vector<ShapeLoop> loops_;
+  std::size_t next_loop_ = 0;
+};
+
+}  // namespace
+
+SvgImport read_svg(std::string_view bytes, const SvgReadOptions& options) {
+  SvgImport import;
+  const Scene scene = read_scene(ElementTree(bytes));
+  import.warnings = scene.warnings;
+  import.shapes = static_cast<long>(scene.shapes.size());
+  import.unfilled = scene.unfilled;
+  import.hidden = scene.hidden;
+  import.size = size_of(scene.shapes);
+  Drawing drawing(scene.shapes, options, import);
+  if (drawing.empty())
+    throw InputError("", "nothing is filled: " + std::to_string(import.shapes) + " filled shape" +
+                             (import.shapes == 1 ? "" : "s") + " without an interior, " +
+                             std::to_string(import.unfilled) + " without a fill, " + std::to_string(import.hidden) +
+                             " hidden");
+  drawing.make_boundary();
+  return import;
+}
+
+}  // namespace pliant

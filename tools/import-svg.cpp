@@ -1,0 +1,117 @@
+#include <CLI/CLI.hpp>
+#include <cerrno>
+#include <cstdio>
+#include <memory>
+#include <system_error>
+
+#include "criteria_options.h"
+#include "filter.h"
+#include "formats/mesh_json.h"
+#include "formats/svg_reader.h"  // tools/import-svg.cpp
+
+namespace {
+
+using namespace pliant;
+
+/// All of the input.
+std::string read_all(const std::string& path, const std::string& name) {
+  struct Closer {
+    void operator()(std::FILE* file) const { std::fclose(file); }
+  };
+  std::unique_ptr<std::FILE, Closer> file;
+  if (path != "-") {
+    file.reset(std::fopen(path.c_str(), "rb"));
+    if (file == nullptr) throw std::system_error(errno, std::generic_category(), name);
+  }
+  std::FILE* in = file == nullptr ? stdin : file.get();
+  std::string bytes;
+  constexpr std::size_t block = 1 << 16;
+  for (std::size_t read = block; read == block;) {
+    const std::size_t before = bytes.size();
+    bytes.resize(before + block);
+    read = std::fread(bytes.data() + before, 1, block, in);
+    bytes.resize(before + read);
+  }
+  if (std::ferror(in) != 0) throw std::system_error(errno, std::generic_category(), name);
+  return bytes;
+}
+
+PassReport summarize(const SvgImport& import) {
+  PassReport report;
+  const auto count = [&](const char* name, long value) { report.add(name, static_cast<double>(value)); };
+  count("shapes", import.shapes);
+  count("faces", static_cast<long>(import.boundary.faces.size()));
+  count("curves", static_cast<long>(import.boundary.curves.size()));
+  count("pieces", import.pieces);
+  count("fitted", import.fitted);
+  count("smooth_joins", import.smooth);
+  count("corners", import.corners);
+  report.add("size", import.size);
+  report.add("error", import.error);
+  count("unfilled", import.unfilled);
+  count("hidden", import.hidden);
+  count("loops_without_area", import.no_area);
+  count("loops_without_border", import.no_border);
+  report.notes = import.warnings;
+  return report;
+}
+
+/// Every line of an error starts with the file.
+std::string with_file(const std::string& name, const InputError& error) {
+  std::string out = name + ": " + (error.pointer().empty() ? "" : error.pointer() + ": ");
+  for (const char c : std::string(error.what())) {
+    out += c;
+    if (c == '\n') out += name + ": ";
+  }
+  return out;
+}
+
+int parse_degree(const std::string& text) {
+  const double degree = parse_number("--degree", text);
+  if (degree != 2 && degree != 3) throw UsageError("--degree: '" + text + "' is neither 2 nor 3");
+  return static_cast<int>(degree);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app{"Read the filled shapes of an SVG drawing as a boundary of B-splines.", "import-svg"};
+  ToolOptions options;
+  SvgReadOptions svg;
+  std::string degree = "2", tolerance = "1e-6";
+  add_common_options(app, options);
+  app.add_option("--degree", degree, "of the curves: 2, or 3, which takes cubic curves exactly")
+      ->type_name("N")
+      ->capture_default_str();
+  app.add_option("--tolerance", tolerance, "of cubic curves and arcs that are fitted, as a part of the drawing's size")
+      ->type_name("T")
+      ->capture_default_str();
+  return run_tool(app, argc, argv, options, [&] {
+    constexpr double least_tolerance = 1e-12;
+    svg.degree = parse_degree(degree);
+    svg.tolerance = parse_positive("--tolerance", tolerance);
+    if (svg.tolerance < least_tolerance || svg.tolerance > 1)
+      throw UsageError("--tolerance: '" + tolerance + "' is not between 1e-12 and 1");
+    OutputFile output(options.output);
+    FrameReports reports(options);
+    Stopwatch watch;
+    Frame frame;
+    frame.source = options.input == "-" ? "standard input" : options.input;
+    const std::string bytes = read_all(options.input, frame.source);
+    SvgImport import;
+    try {
+      import = read_svg(bytes, svg);
+    } catch (const InputError& e) {
+      throw InputError("", with_file(frame.source, e));
+    }
+    if (!options.verbose)  // else they are notes of the report
+      for (const std::string& warning : import.warnings) say(options, frame.source + ": " + warning);
+    const double read = watch.lap();
+    std::string text;
+    write_boundary(import.boundary, text);
+    output.write(text);
+    reports.add(frame, 0, summarize(import), {{"read", read}, {"write", watch.lap()}});
+    output.commit();
+    return status::done;
+  });
+}
