@@ -5,7 +5,8 @@
 #include <cmath>
 #include <map>
 #include <numbers>
-#include <queue>
+#include <optional>
+#include <vector>
 
 #include "pliant/geometry/jacobian.h"
 #include "pliant/geometry/linear_triangle.h"
@@ -74,12 +75,32 @@ Attack attack_on(const Mesh& mesh, TriangleId t, const QualityGoals& goals) {
 }
 
 struct Entry {
-  double excess;
   TriangleId triangle;
   std::array<PointId, 3> corners;  // as queued: the slot may have become another triangle
-  friend bool operator<(const Entry& a, const Entry& b) {
-    return a.excess != b.excess ? a.excess < b.excess : a.triangle > b.triangle;
+};
+
+/// Worst first, to a sixteenth of a power of two; of those the one queued last, which keeps the work in one place.
+class AttackQueue {
+ public:
+  void push(double excess, const Entry& entry) {
+    const double place = 16 * std::log2(excess);
+    const auto bucket = static_cast<std::size_t>(std::clamp(place, 0.0, double(buckets_.size() - 1)));
+    buckets_[bucket].push_back(entry);
+    top_ = std::max(top_, bucket);
   }
+  std::optional<Entry> pop() {
+    while (buckets_[top_].empty()) {
+      if (top_ == 0) return std::nullopt;
+      --top_;
+    }
+    const Entry entry = buckets_[top_].back();
+    buckets_[top_].pop_back();
+    return entry;
+  }
+
+ private:
+  std::array<std::vector<Entry>, 1024> buckets_;
+  std::size_t top_ = 0;
 };
 
 class Refiner {
@@ -90,12 +111,13 @@ class Refiner {
 
   PassReport run() {
     for (TriangleId t = 0; t < mesh_.triangle_slots(); ++t) enqueue(t);
-    while (!queue_.empty() && insertions_ + splits_ < options_.max_insertions) {
-      const Entry entry = queue_.top();
-      queue_.pop();
-      if (!mesh_.is_alive(entry.triangle) || corners_of(entry.triangle) != entry.corners) continue;
-      const Attack attack = attack_on(mesh_, entry.triangle, options_.goals);
-      if (attack.reason) treat(entry.triangle, attack);
+    while (insertions_ + splits_ < options_.max_insertions) {
+      const std::optional<Entry> entry = queue_.pop();
+      if (!entry) break;
+      const auto& [t, corners] = *entry;
+      if (!mesh_.is_alive(t) || corners_of(t) != corners) continue;
+      const Attack attack = attack_on(mesh_, t, options_.goals);
+      if (attack.reason) treat(t, attack);
     }
     mesh_.compact();
     return report();
@@ -108,7 +130,7 @@ class Refiner {
   void enqueue(TriangleId t) {
     if (!mesh_.is_alive(t)) return;
     const Attack attack = attack_on(mesh_, t, options_.goals);
-    if (attack.reason) queue_.push({attack.excess, t, corners_of(t)});
+    if (attack.reason) queue_.push(attack.excess, {t, corners_of(t)});
   }
 
   void treat(TriangleId t, const Attack& attack) {
@@ -122,8 +144,8 @@ class Refiner {
     const double shortest = std::sqrt(std::min({squared_length(b - a), squared_length(c - b), squared_length(a - c)}));
     if (shortest <= 2 * floor_) return give_up("at the least size");
     const auto corners = corners_of(t);
-    int& failures = failures_[corners];
-    if (failures >= max_failures) {
+    const auto failures = failures_.find(corners);
+    if (failures != failures_.end() && failures->second >= max_failures) {
       least_edge_ = 0;
       if (!attack.is_poor && split_longest(t)) return;  // what is too large can always be divided
       return give_up("circumcentre refused");
@@ -132,7 +154,7 @@ class Refiner {
     // be kept this is what holds anyway (Ruppert); where curved edges spoil that, it is what ends the refinement.
     least_edge_ = attack.is_poor ? shortest : 0;
     if (!insert_circumcenter(t, circumcenter(a, b, c))) {
-      ++failures;
+      ++failures_[corners];
       enqueue(t);  // once more, after whatever the failure has changed; then it is given up
     } else if (mesh_.is_alive(t) && corners_of(t) == corners) {
       enqueue(t);
@@ -275,7 +297,7 @@ class Refiner {
   Locator locator_;
   double floor_ = 0;
   double least_edge_ = 0;  // no new edge may be shorter, while a poor triangle is treated
-  std::priority_queue<Entry> queue_;
+  AttackQueue queue_;
   std::map<std::array<PointId, 3>, int> failures_;
   std::map<std::string, long> given_up_, refusals_;
   LegalizeCounts counts_;

@@ -24,6 +24,7 @@ class HalfEdges {
   /// same): pairing half-edges by their inner control points goes along with the proof.
   bool is_sound() const { return is_sound_; }
   HalfEdgeId twin(HalfEdgeId h) const { return twins_[static_cast<std::size_t>(h)]; }
+  const std::vector<HalfEdgeId>& twins() const { return twins_; }
   /// Is there a triangle of another face on the other side, or none?
   bool is_border(HalfEdgeId h) const { return borders_[static_cast<std::size_t>(h)]; }
   /// The half-edge that runs along these control points of an edge, and the one that runs back; or none.

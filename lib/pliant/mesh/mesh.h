@@ -12,6 +12,8 @@
 
 namespace pliant {
 
+class HalfEdges;
+
 /// A curved mesh that satisfies M1, M2, M4, M5 and M6 between operations.
 ///
 /// Triangles and points live in *slots*; an operation may free slots (`is_alive`) and reuse them. `compact` renumbers
@@ -136,7 +138,8 @@ class Mesh {
   static std::uint64_t place_key(PointId p, FaceId f) {
     return (static_cast<std::uint64_t>(static_cast<std::uint32_t>(p)) << 32) | static_cast<std::uint32_t>(f);
   }
-  void connect(const std::vector<ConstrainedEdge>& constrained);
+  Mesh(MeshData& data, const HalfEdges& half_edges);
+  void connect(const MeshData& data, const HalfEdges& half_edges);
   void log(Log what, std::size_t index, std::uint64_t bits) {
     if (recording_ > 0) log_.push_back({what, static_cast<std::uint32_t>(index), bits});
   }

@@ -1,25 +1,27 @@
 // A mesh from its document and back: numbering, adjacency, constrained edges, fields by face.
 #include <algorithm>
-#include <numeric>
 
+#include "pliant/mesh/half_edges.h"
 #include "pliant/mesh/mesh.h"
 
 namespace pliant {
 
-Mesh::Mesh(MeshData data)
+Mesh::Mesh(MeshData data) : Mesh(data, HalfEdges(data)) {}
+
+Mesh::Mesh(MeshData& data, const HalfEdges& half_edges)
     : time(data.time),
       criteria(std::move(data.criteria)),
       extra(std::move(data.extra)),
       degree_(data.degree),
       net_size_(pliant::net_size(data.degree)),
       layout_(&NetLayout::of(data.degree)),
-      points_(std::move(data.points)),
-      nets_(std::move(data.triangles)),
-      faces_(std::move(data.triangle_faces)),
       boundary_(std::move(data.boundary)) {
+  connect(data, half_edges);
+  points_ = std::move(data.points);
+  nets_ = std::move(data.triangles);
+  faces_ = std::move(data.triangle_faces);
   triangle_count_ = static_cast<int>(faces_.size());
   for (Field& field : data.fields) set_field(std::move(field));
-  connect(data.constrained_edges);
   size_ = box().size();
   changed_ = false;
 }
@@ -43,37 +45,20 @@ void Mesh::set_field(Field field) {
   for (const Field& each : fields_) width_ += each.components;
 }
 
-void Mesh::connect(const std::vector<ConstrainedEdge>& constrained) {
-  // Half-edges by origin (counting sort), then each looks for its reverse among those that leave its target.
-  const std::size_t half_edges = faces_.size() * 3;
-  twins_.assign(half_edges, none);
-  constraints_.assign(half_edges, none);
-  vertex_half_edges_.assign(points_.size(), none);
-  std::vector<std::int32_t> first(points_.size() + 1, 0);
-  for (std::size_t h = 0; h < half_edges; ++h) ++first[at(origin(static_cast<HalfEdgeId>(h))) + 1];
-  std::partial_sum(first.begin(), first.end(), first.begin());
-  std::vector<HalfEdgeId> leaving(half_edges);
-  std::vector<std::int32_t> fill(first.begin(), first.end() - 1);
-  for (std::size_t h = 0; h < half_edges; ++h) {
-    const PointId from = origin(static_cast<HalfEdgeId>(h));
-    leaving[at(fill[at(from)]++)] = static_cast<HalfEdgeId>(h);
-    if (vertex_half_edges_[at(from)] == none) vertex_half_edges_[at(from)] = static_cast<HalfEdgeId>(h);
-  }
-  const auto find = [&](PointId from, PointId to) {
-    for (std::int32_t k = first[at(from)]; k < first[at(from) + 1]; ++k)
-      if (target(leaving[at(k)]) == to) return leaving[at(k)];
-    return none;
-  };
-  for (std::size_t h = 0; h < half_edges; ++h)
-    twins_[h] = find(target(static_cast<HalfEdgeId>(h)), origin(static_cast<HalfEdgeId>(h)));
+void Mesh::connect(const MeshData& data, const HalfEdges& half_edges) {
+  twins_ = half_edges.twins();
+  constraints_.assign(twins_.size(), none);
+  vertex_half_edges_.assign(data.points.size(), none);
+  for (std::size_t t = data.triangle_faces.size(); t-- > 0;)
+    for (int e = 3; e-- > 0;)
+      vertex_half_edges_[at(data.triangles[t * at(net_size_) + at(e)])] = half_edge(static_cast<TriangleId>(t), e);
 
   std::vector<std::vector<double>> breaks(boundary_.curves.size());
-  for (const ConstrainedEdge& edge : constrained) {
+  for (const ConstrainedEdge& edge : data.constrained_edges) {
     std::vector<double>& starts = breaks[at(edge.curve)];
     if (starts.empty()) starts = spline(edge.curve).breaks();
-    const PointId a = edge.points.front(), b = edge.points.back();
-    const ConstraintId c = add_constraint(edge.curve, starts[at(edge.span)], a);
-    for (const HalfEdgeId h : {find(a, b), find(b, a)})
+    const ConstraintId c = add_constraint(edge.curve, starts[at(edge.span)], edge.points.front());
+    for (const HalfEdgeId h : half_edges.along(edge.points))
       if (h != none) constraints_[at(h)] = c;
   }
 }
