@@ -271,6 +271,8 @@ TEST_CASE("elevation keeps the curve and raises every multiplicity by one", "[ge
   CHECK(higher.breaks() == curve.breaks());
   for (const double t : curve.breaks()) CHECK(higher.multiplicity(t) == curve.multiplicity(t) + 1);
   CHECK(greatest_distance(curve, higher) < 1e-14);
+  if (!closed)
+    CHECK((higher.points().front() == curve.points().front() && higher.points().back() == curve.points().back()));
   END_EVERY_CURVE
 }
 

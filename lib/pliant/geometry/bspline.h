@@ -84,7 +84,7 @@ class BSpline {
   /// closed curves). False, curve unchanged, if the system is singular.   Complexity O(points * degree^2)
   bool interpolate(std::span<const Point> values);
 
-  /// The same curve at degree + 1 (every break's multiplicity grows by one).
+  /// The same curve at degree + 1 (every break's multiplicity grows by one); open ends stay bit for bit.
   BSpline elevated() const;
   /// Signed area swept: half the integral of x dy - y dx, exact to rounding (for closed curves the enclosed area).
   double area() const;

@@ -205,6 +205,10 @@ BSpline BSpline::elevated() const {
     }
     points.push_back(sum / q);
   }
+  if (!closed_) {  // the mean of equal points may be off in the last digit
+    points.front() = points_.front();
+    points.back() = points_.back();
+  }
   return BSpline(q, closed_, std::move(knots), std::move(points));
 }
 
