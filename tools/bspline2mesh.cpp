@@ -6,14 +6,37 @@
 #include "field_option.h"
 #include "filter.h"
 #include "formats/mesh_json.h"
+#include "pliant/boundary/arrangement.h"
 #include "pliant/boundary/check_boundary.h"
 #include "pliant/generate/mesh_from_boundary.h"  // tools/bspline2mesh.cpp
 #include "pliant/improve/refine.h"
+#include "pliant/improve/straighten_edges.h"
 #include "pliant/mesh/check_mesh.h"
 
 namespace {
 
 using namespace pliant;
+
+/// Replaces a boundary whose curves may cross by the disjoint faces that they come to.
+void resolve_crossings(BoundaryComplex& boundary, PassReport& report) {
+  if (std::vector<Fault> faults = check_boundary(boundary); !faults.empty()) throw BadMesh(std::move(faults));
+  Arrangement arrangement = resolve(boundary);
+  if (!arrangement.faults.empty()) {
+    const std::size_t more = arrangement.faults.size() - 1;
+    throw NoResult("the curves could not be resolved: " + arrangement.faults.front().text +
+                   (more > 0 ? " (and " + std::to_string(more) + " more)" : ""));
+  }
+  if (arrangement.boundary.curves.empty()) throw NoResult("the curves enclose nothing once they are resolved");
+  report.add("intersections", static_cast<double>(arrangement.intersections));
+  report.add("regions", static_cast<double>(arrangement.regions));
+  report.add("slivers_collapsed", static_cast<double>(arrangement.slivers));
+  for (std::size_t f = 0, kept = 0; f < boundary.faces.size(); ++f)
+    if (kept < arrangement.sources.size() && arrangement.sources[kept] == static_cast<int>(f))
+      ++kept;
+    else
+      report.notes.push_back("nothing is left of face '" + boundary.faces[f].name + "'");
+  boundary = std::move(arrangement.boundary);
+}
 
 void require_boundary(const BoundaryComplex& boundary) {
   std::vector<Fault> faults = check_boundary(boundary);
@@ -30,6 +53,9 @@ void refine_to(Mesh& mesh, const CriteriaOptions& criteria, PassReport& report) 
   report.values.insert(report.values.end(), refined.values.begin(), refined.values.end());
   for (const auto& [reason, times] : refined.refusals) report.refuse(reason, times);
   report.notes.insert(report.notes.end(), refined.notes.begin(), refined.notes.end());
+  const StraightenCounts edges = straighten_edges(mesh);
+  report.add("edges_straightened", static_cast<double>(edges.straightened));
+  report.add("edges_left_curved", static_cast<double>(edges.left));
 }
 
 }  // namespace
@@ -41,10 +67,12 @@ int main(int argc, char** argv) {
   CriteriaOptions criteria;
   FieldOption fields;
   std::string time_text = "0", degree_text;
-  bool no_refine = false;
+  bool no_refine = false, resolves = false;
   add_common_options(app, options);
   app.add_option("--degree", degree_text, "degree of the mesh, 1 to 10; default: the curves' greatest, at least 2")
       ->type_name("N");
+  app.add_flag("--resolve", resolves,
+               "let curves cross, touch and overlap: cut them there; later faces lie over earlier ones");
   criteria.add(app);
   app.add_flag("--no-refine", no_refine, "keep the first valid mesh, whatever the criteria");
   fields.add(app);
@@ -66,11 +94,17 @@ int main(int argc, char** argv) {
     std::string text;
     for_each_boundary(options, [&](BoundaryComplex&& boundary, const Frame& frame) {
       const double read = watch.lap();
-      require_boundary(boundary);
+      PassReport resolved;
+      if (resolves)
+        resolve_crossings(boundary, resolved);
+      else
+        require_boundary(boundary);
       const double check = watch.lap();
       Mesh mesh;
       GenerateOutcome outcome = mesh_from_boundary(boundary, generate, mesh);
       if (!outcome.ok) throw NoResult(outcome.failure);
+      outcome.report.values.insert(outcome.report.values.begin(), resolved.values.begin(), resolved.values.end());
+      outcome.report.notes.insert(outcome.report.notes.begin(), resolved.notes.begin(), resolved.notes.end());
       mesh.time = time;
       const double first = watch.lap();
       if (no_refine)
