@@ -4,56 +4,13 @@
 #include <map>
 #include <random>
 
-#include "pliant/boundary/check_boundary.h"
-#include "pliant/geometry/jacobian.h"
-#include "pliant/mesh/check_mesh.h"
+#include "generate/meshed_boundary.h"
 #include "support/sample_boundaries.h"
 
 using namespace pliant;
 using namespace pliant::samples;
 
 namespace {
-
-/// Area of each face by Green's theorem on its curves.
-std::vector<double> enclosed_areas(const BoundaryComplex& boundary) {
-  std::vector<double> area(boundary.faces.size(), 0);
-  for (const Curve& curve : boundary.curves) {
-    if (curve.left != outside) area[static_cast<std::size_t>(curve.left)] += curve.spline.area();
-    if (curve.right != outside) area[static_cast<std::size_t>(curve.right)] -= curve.spline.area();
-  }
-  return area;
-}
-
-std::vector<double> meshed_areas(const Mesh& mesh) {
-  std::vector<double> area(mesh.boundary().faces.size(), 0);
-  std::vector<Point> net(static_cast<std::size_t>(mesh.net_size()));
-  for (TriangleId t = 0; t < mesh.triangle_slots(); ++t) {
-    mesh.gather_points(t, net);
-    area[static_cast<std::size_t>(mesh.face(t))] += element_area(mesh.degree(), net);
-  }
-  return area;
-}
-
-/// Meshes and checks all that every first mesh must hold.
-Mesh meshed(const BoundaryComplex& boundary, int degree = 0) {
-  REQUIRE(check_boundary(boundary).empty());
-  REQUIRE(check_boundary_geometry(boundary).empty());
-  Mesh mesh;
-  const GenerateOutcome outcome = mesh_from_boundary(boundary, {degree}, mesh);
-  CAPTURE(outcome.failure);
-  REQUIRE(outcome.ok);
-  for (const Fault& fault : check_structure(mesh.to_data())) {
-    CAPTURE(fault.invariant, fault.place, fault.text);
-    CHECK(false);
-  }
-  CHECK(check_mesh(mesh).empty());
-  CHECK(find_invalid(mesh).empty());
-  const std::vector<double> area = meshed_areas(mesh), expected = enclosed_areas(boundary);
-  // A band much longer than wide encloses little of what its sums add up: rounding is relative to the whole.
-  const double rounding = 1e-15 * mesh.size() * mesh.size();
-  for (std::size_t f = 0; f < area.size(); ++f) CHECK(area[f] == Approx(expected[f]).epsilon(1e-13).margin(rounding));
-  return mesh;
-}
 
 /// Two circles, one inside the other, this far apart at the closest place.
 BoundaryComplex eccentric_ring(double gap) {

@@ -1,0 +1,96 @@
+// tests/generate/fonts_test.cpp: every glyph of Debian's fonts-dejavu-core, whose outlines are quadratic B-splines
+#include <catch2/catch.hpp>
+#include <cstdlib>
+#include <set>
+
+#include "generate/meshed_boundary.h"
+#include "support/font_outlines.h"
+
+using namespace pliant;
+using namespace pliant::samples;
+
+namespace {
+
+#ifdef NDEBUG
+constexpr int stride = 1;
+#else
+constexpr int stride = 16;  // with assertions and sanitizers each is slower by as much
+#endif
+
+const char* const folder = "/usr/share/fonts/truetype/dejavu/";
+
+constexpr double close = 1e-6;  // of a font unit; the size of a glyph is some thousand
+
+/// Distance of p from the piece: from the nearest of 256 points, the interval around it narrowed.
+double distance_from(const Conic& c, const Point& p) {
+  const auto at = [&](double t) {
+    const double s = 1 - t;
+    return distance(p, s * s * c.from + 2 * s * t * c.control + t * t * c.to);
+  };
+  double best = 0;
+  for (int i = 1; i <= 256; ++i)
+    if (at(i / 256.0) < at(best)) best = i / 256.0;
+  double low = std::max(0.0, best - 1 / 256.0), high = std::min(1.0, best + 1 / 256.0);
+  for (int i = 0; i < 80; ++i) {
+    const double left = low + (high - low) / 3, right = high - (high - low) / 3;
+    (at(left) < at(right) ? high : low) = at(left) < at(right) ? right : left;
+  }
+  return at(low);
+}
+
+/// Do two pieces pass here, other than by the join of neighbours?
+bool is_contact(const std::vector<Contour>& contours, const Point& p) {
+  std::vector<Conic> here;
+  for (const Contour& contour : contours)
+    for (const Conic& c : contour)
+      if (distance_from(c, p) < close) here.push_back(c);
+  if (here.size() != 2) return here.size() > 2;
+  const auto is_join_elsewhere = [&](const Point& a, const Point& b) { return !(a == b) || distance(a, p) > close; };
+  return is_join_elsewhere(here[0].to, here[1].from) && is_join_elsewhere(here[1].to, here[0].from);
+}
+
+/// The place that ends a fault's text: "..., at (0.25, 1)".
+Point place_in(const std::string& text) {
+  const std::size_t open = text.rfind('('), comma = text.find(',', open);
+  REQUIRE(comma != std::string::npos);
+  return {std::strtod(text.c_str() + open + 1, nullptr), std::strtod(text.c_str() + comma + 1, nullptr)};
+}
+
+/// Faults but those of orientation: some contours of these fonts run the wrong way round, which the nonzero rule mends.
+std::vector<Fault> contacts(const std::vector<Contour>& contours) {
+  std::vector<Fault> faults;
+  for (const Fault& fault : check_boundary_geometry(boundary_as_drawn(contours)))
+    if (fault.text.find("enclose the area") == std::string::npos) faults.push_back(fault);
+  return faults;
+}
+
+}  // namespace
+
+TEST_CASE("every glyph is meshed, certified, with the area of its outline, or its contours meet", "[generate][fonts]") {
+  const auto name = GENERATE(as<std::string>{}, "DejaVuSans", "DejaVuSans-Bold", "DejaVuSansMono",
+                             "DejaVuSansMono-Bold", "DejaVuSerif", "DejaVuSerif-Bold");
+  CAPTURE(name);
+  const Font font(folder + name + ".ttf");
+  std::set<std::vector<double>> seen;  // many glyphs are drawn alike
+  int meshes = 0, refusals = 0;
+  for (int glyph = 0; glyph < font.glyph_count(); glyph += stride) {
+    const std::vector<Contour> contours = font.contours(glyph);
+    std::vector<double> key;
+    for (const Contour& contour : contours)
+      for (const Conic& c : contour) key.insert(key.end(), {c.from.x, c.from.y, c.control.x, c.control.y});
+    if (key.empty() || !seen.insert(key).second) continue;
+    CAPTURE(glyph);
+    if (const std::vector<Fault> faults = contacts(contours); !faults.empty()) {
+      ++refusals;
+      CAPTURE(faults.front().text);
+      CHECK(is_contact(contours, place_in(faults.front().text)));
+      continue;
+    }
+    ++meshes;
+    double area = 0;
+    const Mesh mesh = meshed(boundary_by_nonzero(contours, area));
+    CHECK(meshed_areas(mesh).front() == Approx(area).epsilon(1e-12));
+  }
+  CHECK(meshes > 1000 / stride);
+  CHECK(refusals < meshes / 30);
+}
