@@ -6,6 +6,7 @@
 #include "formats/svg_import/loops.h"
 #include "formats/svg_import/nesting.h"
 #include "formats/svg_import/scene.h"
+#include "pliant/boundary/arrangement.h"
 #include "pliant/boundary/boundary_spans.h"
 #include "pliant/boundary/check_boundary.h"
 
@@ -15,7 +16,7 @@ namespace {
 using namespace svg;
 
 constexpr const char* not_apart =
-    "the fills of a drawing must be apart from each other: neither cross, nor touch, nor lie over each other";
+    "shapes cross, touch or lie over each other; import-svg --planar makes disjoint faces of what is seen of them";
 
 /// The box of what the outlines pass through, and their control points.
 double size_of(const std::vector<Shape>& shapes) {
@@ -92,6 +93,30 @@ class Drawing {
     }
   }
 
+  /// The same for shapes that meet: disjoint faces of what is seen of each.
+  /// Throws      InputError where there is no arrangement
+  void arrange_boundary() {
+    std::vector<FilledFace> faces;
+    faces.reserve(shapes_.size());
+    for (std::size_t s = 0; s < shapes_.size(); ++s) {
+      FilledFace face;
+      face.name = shapes_[s].name;
+      face.rule = shapes_[s].even_odd ? FillRule::evenodd : FillRule::nonzero;
+      for (const Loop& loop : all_[s]) face.curves.insert(face.curves.end(), loop.curves.begin(), loop.curves.end());
+      if (!face.curves.empty()) faces.push_back(std::move(face));
+    }
+    Arrangement arrangement = arrange(faces);
+    if (!arrangement.faults.empty()) {
+      std::string text = "the shapes cannot be arranged";
+      for (const Fault& fault : arrangement.faults) text += "\n" + fault.text;
+      throw InputError("", text);
+    }
+    import_.boundary = std::move(arrangement.boundary);
+    import_.intersections = arrangement.intersections;
+    import_.slivers = arrangement.slivers;
+    import_.covered = static_cast<long>(faces.size() - import_.boundary.faces.size());
+  }
+
  private:
   const Shape& shape_of(std::size_t loop) const { return shapes_[static_cast<std::size_t>(loops_[loop].shape)]; }
 
@@ -131,8 +156,8 @@ class Drawing {
     if (faults.empty()) faults = check_boundary_geometry(alone);
     if (faults.empty()) return;
     std::string text = not_apart;
-    for (const Fault& fault : faults)  // of the face: a crossing one's area means nothing
-      if (fault.place.rfind("/faces", 0) != 0) text += "\n" + fault.text;
+    for (const Fault& fault : faults)  // others, of vertices at one place and of areas, only follow from these
+      if (fault.place.rfind("/curves", 0) == 0) text += "\n" + fault.text;
     throw InputError("", text);
   }
 
@@ -170,7 +195,10 @@ SvgImport read_svg(std::string_view bytes, const SvgReadOptions& options) {
                              (import.shapes == 1 ? "" : "s") + " without an interior, " +
                              std::to_string(import.unfilled) + " without a fill, " + std::to_string(import.hidden) +
                              " hidden");
-  drawing.make_boundary();
+  if (options.planar)
+    drawing.arrange_boundary();
+  else
+    drawing.make_boundary();
   return import;
 }
 

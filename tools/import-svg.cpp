@@ -52,6 +52,9 @@ PassReport summarize(const SvgImport& import) {
   count("hidden", import.hidden);
   count("loops_without_area", import.no_area);
   count("loops_without_border", import.no_border);
+  count("intersections", import.intersections);
+  count("slivers", import.slivers);
+  count("covered", import.covered);
   report.notes = import.warnings;
   return report;
 }
@@ -86,6 +89,7 @@ int main(int argc, char** argv) {
   app.add_option("--tolerance", tolerance, "of cubic curves and arcs that are fitted, as a part of the drawing's size")
       ->type_name("T")
       ->capture_default_str();
+  app.add_flag("--planar", svg.planar, "take shapes that meet; each face is what is seen of its shape");
   return run_tool(app, argc, argv, options, [&] {
     constexpr double least_tolerance = 1e-12;
     svg.degree = parse_degree(degree);

@@ -361,3 +361,31 @@ TEST_CASE("nesting is right for tips, verticals and equal abscissas above each o
   for (int k = 12; k > 0; --k) expected += (k % 2 == 0 ? 1 : -1) * (2.0 * 9 * k * k + 0.03125);
   CHECK(area(svg("<path fill-rule='evenodd' d='" + d + "'/>")) == Approx(expected).epsilon(1e-12));
 }
+
+TEST_CASE("a planar drawing's faces are what is seen of its shapes", "[svg]") {
+  const std::string drawing = svg(
+      "<rect id='a' width='10' height='10'/><rect id='covered' x='8' y='4' width='1' height='1'/><circle id='b' "
+      "cx='10' "
+      "cy='5' r='4'/><rect id='c' x='2' y='2' width='3' height='3'/><rect id='d' y='10' width='10' height='3'/><path "
+      "id='e' fill-rule='evenodd' d='M20 0L24 4V0L20 4z'/><path id='star' fill-rule='nonzero' d='M30 "
+      "0h6v6h-4v-4h2v2h-4z'/>");
+  const int degree = GENERATE(2, 3);
+  const SvgImport import = read(drawing, {degree, 1e-8, true});
+  constexpr double pi = std::numbers::pi;
+  CHECK(import.boundary.faces.size() == 6);
+  CHECK(import.covered == 1);
+  CHECK(face_area(import.boundary, "a") == Approx(100 - 8 * pi - 9).epsilon(1e-6));
+  CHECK(face_area(import.boundary, "b") == Approx(16 * pi).epsilon(1e-6));
+  CHECK(face_area(import.boundary, "c") == Approx(9));
+  CHECK(face_area(import.boundary, "d") == Approx(30));
+  CHECK(face_area(import.boundary, "e") == Approx(8));
+  CHECK(find_face(import.boundary, "covered") == outside);
+  // Apart, shapes give the same faces with and without.
+  const std::string apart =
+      svg("<path id='ring' fill-rule='evenodd' d='M0 0h10v10h-10zM1 1h8v8h-8z'/><circle id='o' "
+          "cx='5' cy='5' r='2'/>");
+  const SvgImport plain = read(apart), planar = read(apart, {2, 1e-6, true});
+  CHECK(face_area(plain.boundary, "ring") == Approx(face_area(planar.boundary, "ring")).epsilon(1e-14));
+  CHECK(face_area(plain.boundary, "o") == Approx(face_area(planar.boundary, "o")).epsilon(1e-14));
+  CHECK(planar.intersections == 0);
+}

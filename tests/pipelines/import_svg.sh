@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# import-svg: from drawings to meshes, options, messages, statuses; with clip art where PLIANT_TESTS_ALL asks for it.
+# import-svg: from drawings to meshes, options, messages, statuses.
 . "${BASH_SOURCE%/*}/common.bash"
 has_tool import-svg || exit 77
 
@@ -62,8 +62,13 @@ no_output
 says "import-svg: flag.svg: line 2, column 3: path 'wall': d, offset 31: expected the flag 0 or 1, found '2 1 40 0a20 "
 sed 's/cx="30"/cx="90"/' cells.svg >crossing.svg
 run 3 import-svg crossing.svg
-says "import-svg: crossing.svg: the fills of a drawing must be apart from each other"
+says "import-svg: crossing.svg: shapes cross, touch or lie over each other; import-svg --planar"
 says "import-svg: crossing.svg: curve 'wall, line 2' (0) at parameter"
+run 0 import-svg --planar -q crossing.svg --report report.json -o crossing.json
+grep -qF '"intersections":2' report.json || fail "the cell crosses the wall twice: $(cat report.json)"
+if has_tool bspline2mesh && has_tool qualityreport; then
+  run 0 bash -c "bspline2mesh -q crossing.json | qualityreport -q --fail-if 'invalid > 0' --fail-if 'faults > 0'"
+fi
 head -c 200 cells.svg >short.svg
 run 3 import-svg short.svg
 says 'import-svg: short.svg: line 3, column '
