@@ -31,6 +31,6 @@ struct Crossing {
 /// size, as check_boundary_geometry has it; ascending, and at most `most` of them. A cusp at a common vertex does not
 /// count, nor does an edge that crosses itself.
 /// Complexity  O(n log n + pairs of boxes that overlap), pairs decided by subdivision
-std::vector<Crossing> find_crossings(const EdgeCurves& edges, std::size_t most = 1'000'000);
+std::vector<Crossing> find_crossings(const EdgeCurves& edges, std::size_t most = 100'000);
 
 }  // namespace pliant

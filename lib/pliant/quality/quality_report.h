@@ -54,7 +54,7 @@ struct QualityReport {
   double time = 0, area = 0;
   std::int64_t invalid = 0, degenerate = 0;
   std::vector<BadElement> invalid_elements, degenerate_elements;  ///< the first 100 of each, or `worst` if that is more
-  /// Pairs of boundary edges that meet elsewhere than at a common vertex (at most a million are counted), and boundary
+  /// Pairs of boundary edges that meet elsewhere than at a common vertex (at most 100,000 are counted), and boundary
   /// loops whose inner side is not covered just once.
   std::int64_t overlaps = 0;
   std::vector<OverlapPlace> overlap_places;  ///< the first `worst`
