@@ -14,8 +14,7 @@
 namespace pliant {
 namespace {
 
-constexpr int most_attempts = 4;
-constexpr int more_rounds = 3;
+constexpr int most_attempts = 3;
 constexpr double wider = 16;  // the tolerance of the next attempt
 
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
@@ -83,10 +82,10 @@ void assemble(const Painting& painting, const ArcNetwork& network, std::vector<K
   }
 }
 
-Arrangement attempt(const Painting& painting, const ArrangeOptions& options, int rounds) {
+Arrangement attempt(const Painting& painting, const ArrangeOptions& options) {
   Arrangement result;
   ArcTolerances tolerances{};
-  const ArcNetwork network = cut_curves(painting.curves, painting.vertices, options, rounds, tolerances);
+  const ArcNetwork network = cut_curves(painting.curves, painting.vertices, options, tolerances);
   const ArrangementGraph graph = build_graph(network, painting.curves, tolerances,
                                              [&](const Winding& winding) { return painting.owner(winding); });
   result.intersections = graph.crowded_nodes;
@@ -104,14 +103,32 @@ Arrangement attempt(const Painting& painting, const ArrangeOptions& options, int
   return result;
 }
 
-/// Where rounding leaves something that is not a boundary, more rounds or coarser snapping mostly help.
+/// Why the input is beyond what doubles can tell about it: products of lengths would overflow or vanish.
+std::vector<Fault> size_fault(const Painting& painting) {
+  constexpr double least = 1e-100, most = 1e100;
+  Box box;
+  double reach = 0;
+  for (const BSpline& spline : painting.splines)
+    for (const Point& p : spline.points()) {
+      box.extend(p);
+      reach = std::max({reach, std::fabs(p.x), std::fabs(p.y)});
+    }
+  const double size = box.size();
+  if (size == 0 || (size >= least && reach <= most)) return {};
+  return {{"boundary", "/curves", "the curves' size is not between 1e-100 and 1e100"}};
+}
+
+/// Where rounding leaves something that is not a boundary, coarser snapping mostly helps.
 Arrangement solve(const Painting& painting, ArrangeOptions options) {
-  Arrangement result = attempt(painting, options, 1);
+  Arrangement result;
+  result.faults = size_fault(painting);
+  if (!result.faults.empty()) return result;
+  result = attempt(painting, options);
   for (int n = 1; n < most_attempts && !result.faults.empty(); ++n) {
-    Arrangement next = attempt(painting, options, more_rounds);
-    if (next.faults.empty()) return next;
     options.tolerance *= wider;
     options.sliver = std::max(options.sliver, 4 * options.tolerance);
+    Arrangement next = attempt(painting, options);
+    if (next.faults.empty()) return next;
   }
   return result;
 }

@@ -44,6 +44,9 @@ struct Arrangement {
 /// Pieces move by the snap at their ends (a few tolerances), and are otherwise exact parts of the input's curves.
 /// Ensures     check_boundary and check_boundary_geometry find nothing, or `faults` says what and where
 /// Requires    curves without BSpline::fault
+/// Refuses     (in `faults`) loops that do not close, sizes beyond 1e-100 to 1e100, and what no tolerance makes a
+/// boundary
+///             that can be meshed: curves that stop in a cusp of their own, faces without a name of their own
 /// Complexity  near O((n + k) log n) for n spans and k intersections, where boxes of spans overlap little
 Arrangement arrange(std::span<const FilledFace> faces, const ArrangeOptions& options = {});
 

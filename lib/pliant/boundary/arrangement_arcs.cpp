@@ -84,18 +84,19 @@ class Cutter {
     for (const Point& v : vertices) places_.push_back(scaled(v));
   }
 
-  ArcNetwork cut(int rounds) {
+  ArcNetwork cut() {
     add_spans();
     add_monotone_cuts();
     snap_ends();
     // First where ends lie on other curves: what meets in a node is compared with more care than what does not.
-    for (int round = 0;; ++round) {
-      find_cuts(round == 0 ? find_end_meetings : find_meetings);
-      make_nodes();
-      make_arcs();
-      if (round == rounds) return std::move(result_);
-      cut_again();
-    }
+    find_cuts(find_end_meetings);
+    make_nodes();
+    make_arcs();
+    cut_again();
+    find_cuts(find_meetings);
+    make_nodes();
+    make_arcs();
+    return std::move(result_);
   }
 
   ArcTolerances tolerances() const { return {touch_, std::max(sliver_, 2 * touch_)}; }
@@ -111,11 +112,9 @@ class Cutter {
     for (const Point& p : vertices) take(p);
     for (const SidedCurve& curve : curves_)
       for (const Point& p : curve.spline->points()) take(p);
-    double size = box.size();
-    if (!(size > 0)) size = 1;
-    if (!std::isfinite(size)) size = HUGE_VAL;
-    result_.exponent = std::isfinite(size) ? std::ilogb(size) : 1024;
-    const double scaled_size = std::isfinite(size) ? std::ldexp(size, -result_.exponent) : 1;
+    const double size = box.size();
+    result_.exponent = size > 0 ? std::ilogb(size) : 0;
+    const double scaled_size = size > 0 ? std::ldexp(size, -result_.exponent) : 1;
     // Far from the origin coordinates are coarser than the size alone tells.
     const double grain = 64 * 0x1p-53 * std::ldexp(reach, -result_.exponent);
     touch_ = std::max(options_.tolerance * scaled_size, grain);
@@ -279,7 +278,7 @@ class Cutter {
     result_.arcs.push_back(arc);
   }
 
-  /// Makes the arcs the pieces of another round.
+  /// Makes the arcs pieces.
   void cut_again() {
     pieces_.clear();
     cuts_.clear();
@@ -315,10 +314,10 @@ void add_winding(Winding& sum, const Winding& by, int times) {
 }
 
 ArcNetwork cut_curves(std::span<const SidedCurve> curves, std::span<const Point> vertices,
-                      const ArrangeOptions& options, int rounds, ArcTolerances& tolerances) {
+                      const ArrangeOptions& options, ArcTolerances& tolerances) {
   Cutter cutter(curves, vertices, options);
   tolerances = cutter.tolerances();
-  return cutter.cut(rounds);
+  return cutter.cut();
 }
 
 }  // namespace pliant

@@ -44,9 +44,9 @@ struct ArcTolerances {
   double touch, sliver;
 };
 
-/// Cuts the curves at their intersections, and the arcs again, `rounds` times in all: what was snapped, or was seen to
-/// touch one of two curves that coincide, may have to be cut once more.
+/// Cuts the curves at their intersections.
+/// Requires    a size between 1e-100 and 1e100, or 0
 ArcNetwork cut_curves(std::span<const SidedCurve> curves, std::span<const Point> vertices,
-                      const ArrangeOptions& options, int rounds, ArcTolerances& tolerances);
+                      const ArrangeOptions& options, ArcTolerances& tolerances);
 
 }  // namespace pliant

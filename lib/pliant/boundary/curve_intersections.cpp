@@ -14,7 +14,7 @@ namespace {
 constexpr double corner_tolerance = 1e-10;  // of the distance from a common end
 constexpr double corner_margin = 1e-13;     // radians
 constexpr double least_corner = 1e4;        // tolerances: a cusp's sides are not compared any closer to its tip
-constexpr int most_pairs = 20000;
+constexpr int most_pairs = 4000;
 constexpr double least_gain = 0.8;  // clipping that leaves more than this is followed by halving
 constexpr int newton_steps = 12;
 

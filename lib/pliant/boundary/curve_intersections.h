@@ -25,7 +25,7 @@ std::vector<double> monotone_cuts(std::span<const Point> polygon, double least);
 /// close to the other. A place may be reported more than once, a few tolerances apart. By Bézier clipping, Newton's
 /// method where the tangents' ranges are apart, halving where clipping does not help. Near a common end the tolerance
 /// shrinks in proportion to the distance from it, so that tangency there is no overlap.
-/// Complexity  bounded: at most 20000 pairs of parts; curves that need more are taken to meet at the part in hand
+/// Complexity  bounded: at most 4000 pairs of parts; curves that need more are taken to meet at the part in hand
 std::vector<Meeting> find_meetings(std::span<const Point> a, std::span<const Point> b, const CommonEnds& common,
                                    double tolerance);
 
