@@ -1,6 +1,6 @@
 #include "formats/svg_reader.h"  // formats/svg_reader.cpp: from the filled shapes to faces, curves and vertices
 
-#include <algorithm>
+#include <cmath>
 
 #include "formats/svg_import/element_tree.h"
 #include "formats/svg_import/loops.h"
@@ -18,7 +18,7 @@ using namespace svg;
 constexpr const char* not_apart =
     "shapes cross, touch or lie over each other; import-svg --planar makes disjoint faces of what is seen of them";
 
-/// The box of what the outlines pass through, and their control points.
+/// The diagonal of the box of all control points and of points on the arcs.
 double size_of(const std::vector<Shape>& shapes) {
   Box box;
   for (const Shape& shape : shapes) {
@@ -27,10 +27,16 @@ double size_of(const std::vector<Shape>& shapes) {
       const Point* p = shape.outline.points.data() + next;
       const auto count = static_cast<std::size_t>(point_count(step));
       next += count;
-      if (step == Step::arc)
+      if (step == Step::arc) {
+        constexpr int parts = 8;
+        for (int i = 0; i < parts; ++i) {
+          const double t = p[3].x + p[3].y * i / parts;
+          box.extend(p[0] + p[1] * std::cos(t) + p[2] * std::sin(t));
+        }
         box.extend(p[4]);
-      else
+      } else {
         for (std::size_t i = 0; i < count; ++i) box.extend(p[i]);
+      }
     }
   }
   return box.size();
@@ -189,6 +195,8 @@ SvgImport read_svg(std::string_view bytes, const SvgReadOptions& options) {
   import.unfilled = scene.unfilled;
   import.hidden = scene.hidden;
   import.size = size_of(scene.shapes);
+  constexpr double least_size = 1e-60;  // squares of what is a part of it do not vanish
+  if (import.size > 0 && import.size < least_size) throw InputError("", "the drawing is smaller than 1e-60");
   Drawing drawing(scene.shapes, options, import);
   if (drawing.empty())
     throw InputError("", "nothing is filled: " + std::to_string(import.shapes) + " filled shape" +

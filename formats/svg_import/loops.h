@@ -7,7 +7,7 @@
 
 namespace pliant::svg {
 
-inline constexpr std::size_t max_pieces = 20'000'000;  ///< of all loops together
+inline constexpr std::size_t max_pieces = 5'000'000;  ///< of all loops together
 
 struct LoopOptions {
   int degree = 2;

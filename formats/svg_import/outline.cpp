@@ -35,14 +35,20 @@ void add_arc(Outline& out, const Point& from, double rx, double ry, double turne
   const Vector half = (from - to) / 2;
   const Vector h{dot(axis, half) / rx, cross(axis, half) / ry};
   const double length_squared = squared_length(h);
+  const double toward = large == sweep ? -1 : 1;
   Vector middle;  // from the chord's middle to the centre, on the unit circle
+  constexpr double nearly_flat = 1e-8;
+  if (!large && length_squared < nearly_flat) {
+    // The centre is so far away that rounding would show; a parabola is off by less than 1e-12 of the chord.
+    const Vector bulge = -toward * std::sqrt(length_squared / (1 - length_squared)) * Vector{h.y, -h.x};
+    return out.quadratic((from + to) / 2 + rx * bulge.x * axis + ry * bulge.y * perpendicular(axis), to);
+  }
   if (length_squared >= 1) {
     const double grow = std::sqrt(length_squared);
     rx *= grow;
     ry *= grow;
   } else {
-    const double side = (large == sweep ? -1 : 1) * std::sqrt((1 - length_squared) / length_squared);
-    middle = side * Vector{h.y, -h.x};
+    middle = toward * std::sqrt((1 - length_squared) / length_squared) * Vector{h.y, -h.x};
   }
   const Vector start = h - middle, end = -h - middle;  // only their angles matter
   const Vector u = rx * axis, v = ry * perpendicular(axis);

@@ -271,7 +271,7 @@ class Walker {
   static void check_coordinates(const Element& element, const Outline& outline) {
     for (const Point& p : outline.points)
       if (!(std::abs(p.x) <= max_coordinate && std::abs(p.y) <= max_coordinate))
-        refuse(element, "a coordinate is beyond 1e100");
+        refuse(element, "a coordinate is beyond 1e60");
   }
 
   std::string unique(const std::string& name) {

@@ -10,7 +10,7 @@ namespace pliant::svg {
 
 inline constexpr std::size_t max_steps = 2'000'000;  ///< of all outlines together, copies by `use` counted each
 inline constexpr long max_visits = 1'000'000;        ///< of elements, those in copies counted each time
-inline constexpr double max_coordinate = 1e100;
+inline constexpr double max_coordinate = 1e60;       ///< fourth powers of it are finite
 
 /// One filled shape.
 struct Shape {

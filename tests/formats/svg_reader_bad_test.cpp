@@ -62,7 +62,7 @@ TEST_CASE("faults of other attributes name the attribute", "[svg]") {
   CHECK_THAT(complaint(svg("<g transform='scale(1'/>")), Catch::Contains("expected a number or )"));
   CHECK_THAT(complaint("<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 5'/>"),
              Catch::Contains("viewBox, offset"));
-  CHECK_THAT(complaint(svg("<path d='M0 0h1e99v1e99z' transform='scale(1e9)'/>")), Catch::Contains("beyond 1e100"));
+  CHECK_THAT(complaint(svg("<path d='M0 0h1e99v1e99z' transform='scale(1e9)'/>")), Catch::Contains("beyond 1e60"));
 }
 
 TEST_CASE("what is no SVG is refused with line and column", "[svg]") {
@@ -129,6 +129,23 @@ TEST_CASE("shapes that cross, touch or lie over each other are refused with both
   CHECK_THAT(complaint(svg(a + a)), Catch::Contains("--planar makes disjoint"));
   CHECK_THAT(of_path("M0 0L4 4L4 0L0 4z"), Catch::Contains("'a, line 2' (0) at parameter 2.828") &&
                                                Catch::Contains("at parameter 12.48") && !Catch::Contains("enclose"));
+}
+
+TEST_CASE("curves at the limits of what is read end in a boundary or a refusal, soon", "[svg]") {
+  const auto curves = [](const std::string& scale) {
+    const std::string s = scale;
+    return svg("<path d='M0 0C3" + s + " 8" + s + " -2" + s + " 9" + s + " 6" + s + " 7" + s + "Q9" + s + " 0 4" + s +
+               " 0A1" + s + " 2" + s + " 30 1 1 2" + s + " -1" + s + "z'/>");
+  };
+  for (const char* scale : {"", "e50", "e-50", "e58", "e-58"}) CHECK(complaint(curves(scale)) == "none");
+  CHECK_THAT(complaint(curves("e99")), Catch::Contains("beyond 1e60"));
+  CHECK_THAT(complaint(curves("e-99")), Catch::Contains("is smaller than 1e-60"));
+  CHECK_THAT(complaint(curves("e-300")), Catch::Contains("is smaller than 1e-60"));
+  CHECK(complaint(svg("<path d='M0 0h9v9zM1e-200 -1C1e-200 -2 2e-200 -1 2e-200 -2z'/>")) == "none");
+  // A tiny chord of a huge circle, and a huge chord of a tiny one.
+  CHECK(complaint(svg("<path d='M0 0A1e50 1e50 0 0 1 9 0V9H0z'/>")) == "none");
+  CHECK(complaint(svg("<path d='M0 0A1e-50 1e-50 0 0 1 9 0V9H0z'/>")) == "none");
+  CHECK(complaint(svg("<path d='M0 0A5 5 0 1 1 1e-9 0z'/>")) == "none");
 }
 
 TEST_CASE("ten megabytes of path data take a second or two", "[svg]") {

@@ -214,6 +214,10 @@ TEST_CASE("arcs lie on the ellipse of the specification, whatever their flags", 
 TEST_CASE("radii too small for an arc grow, and radii of 0 make a line", "[svg]") {
   CHECK(area(path("M0 0A1 1 0 0 1 10 0z")) == Approx(25 * std::numbers::pi / 2).epsilon(1e-5));
   CHECK(area(path("M0 0A2 1 0 0 1 10 0z")) == Approx(12.5 * std::numbers::pi / 2).epsilon(1e-5));
+  // The segment of a circle with a chord of 10 and a radius of 5e5, on either side.
+  for (const int sweep : {0, 1})
+    CHECK(area(path("M0 0A5e5 5e5 0 0 " + std::to_string(sweep) + " 10 0V-1H0z")) ==
+          Approx(10 + (sweep == 0 ? 1 : -1) * 1000.0 / 12 / 5e5).epsilon(1e-12));
   CHECK(area(path("M0 0A0 5 0 0 1 10 0v4h-10z")) == Approx(40));
   CHECK(area(path("M0 0A5 5 0 0 1 0 0h10v4h-10z")) == Approx(40));
 }
