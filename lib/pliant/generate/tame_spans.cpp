@@ -15,9 +15,14 @@ namespace {
 constexpr double most_turning = std::numbers::pi / 3;
 constexpr double least_length = 1e-9;  // of the boundary's size
 constexpr double margin = 1e-13;       // of a pair's size, or an angle: rounding of control points
+constexpr double sharp = 1e-6;         // radians: an angle that hulls would separate only at spans as short
 constexpr int most_rounds = 200;
 
 std::vector<Point> reversed(std::span<const Point> polygon) { return {polygon.rbegin(), polygon.rend()}; }
+
+bool is_angle_below(double angle, const Vector& a, const Vector& b) {
+  return dot(a, b) > 0 && std::fabs(cross(a, b)) <= angle * length(a) * length(b);
+}
 
 /// Parameter in (0, 1) at which a curve, which leaves its start for good, is `radius` away from it.
 double parameter_at(std::span<const Point> polygon, double radius) {
@@ -78,8 +83,8 @@ class Round {
     }
     const int node = joined_at_start ? a.from : a.to;
     const std::vector<Point> from_a = outward(i, node), from_b = outward(j, node);
-    if (is_cusp(tangent_at_end(from_a, true), tangent_at_end(from_b, true)))
-      level_cusp(i, j, node, from_a, from_b);
+    if (is_angle_below(sharp, tangent_at_end(from_a, true), tangent_at_end(from_b, true)))
+      level_ends(i, j, node, from_a, from_b);
     else if (!cones_apart(from_a, from_b, margin))
       split_thicker(i, j);
   }
@@ -102,7 +107,7 @@ class Round {
     wish_[height_i >= height_j ? i : j] = 0.5;
   }
 
-  void level_cusp(std::size_t i, std::size_t j, int node, std::span<const Point> a, std::span<const Point> b) {
+  void level_ends(std::size_t i, std::size_t j, int node, std::span<const Point> a, std::span<const Point> b) {
     const double length_a = length(a.back()), length_b = length(b.back());
     const double shorter = std::min(length_a, length_b), longer = std::max(length_a, length_b);
     if (longer <= 1.01 * shorter) return;
@@ -130,9 +135,7 @@ Vector tangent_at_end(std::span<const Point> polygon, bool at_start) {
   return {};
 }
 
-bool is_cusp(const Vector& a, const Vector& b) {
-  return dot(a, b) > 0 && std::fabs(cross(a, b)) <= 1e-9 * length(a) * length(b);
-}
+bool is_cusp(const Vector& a, const Vector& b) { return is_angle_below(1e-9, a, b); }
 
 double least_span(const BoundaryComplex& boundary) { return least_length * bounding_box(boundary).size(); }
 

@@ -9,7 +9,8 @@ namespace pliant {
 
 /// Splits spans (knot insertion, shapes unchanged) until no control polygon turns by more than 60 degrees, no two spans
 /// have both ends in common, and the hulls of all spans are apart but for common ends. The chords are then a planar
-/// straight-line graph of the same topology. At a cusp hulls cannot be apart: there the two chords get the same length.
+/// straight-line graph of the same topology. At a cusp hulls cannot be apart, nor at angles below 1e-6 radians but for
+/// spans as short: there the two chords get the same length, which puts them in the order of the curves.
 ///
 /// Refuses     with the place, where a span would become shorter than 1e-9 of the boundary's size
 /// Complexity  O(n log n) a round, a few rounds

@@ -1,0 +1,244 @@
+// tests/generate/hard_domains_test.cpp: near contacts, slivers, tiny features, sharp angles, and domains by the hundred
+#include <catch2/catch.hpp>
+#include <random>
+
+#include "generate/meshed_boundary.h"
+#include "support/sample_boundaries.h"
+
+using namespace pliant;
+using namespace pliant::samples;
+
+namespace {
+
+/// A polygon of one face, with sides of these inner control points (none: straight).
+BoundaryComplex polygon(const std::vector<Point>& corners, const std::vector<std::vector<Point>>& inner = {}) {
+  BoundaryComplex b = with_faces({"polygon"});
+  b.vertices = corners;
+  const int n = static_cast<int>(corners.size());
+  for (int i = 0; i < n; ++i)
+    b.curves.push_back(open_curve(b, "side " + std::to_string(i), i, (i + 1) % n,
+                                  inner.empty() ? std::vector<Point>{} : inner[static_cast<std::size_t>(i)], 0));
+  return b;
+}
+
+/// A rectangle around what lies at the origin.
+void add_walls(BoundaryComplex& b, const Point& low, const Point& high, int face) {
+  const int first = static_cast<int>(b.vertices.size());
+  b.vertices.insert(b.vertices.end(), {low, {high.x, low.y}, high, {low.x, high.y}});
+  for (int i = 0; i < 4; ++i) b.curves.push_back(open_curve(b, "wall", first + i, first + (i + 1) % 4, {}, face));
+}
+
+/// Two round cells side by side, this far apart where they are nearest.
+BoundaryComplex neighbours(double gap) {
+  BoundaryComplex b = with_faces({"plasma", "left", "right"});
+  const BSpline right = circle(2, {}, 1, 12);
+  double reach = 0;  // leftmost point
+  for (int i = 0; i < 12; ++i) reach = std::max({reach, -right.evaluate(i).x, -right.evaluate(i + 0.5).x});
+  for (const double side : {-1.0, 1.0}) {
+    std::vector<Point> points = right.points();
+    for (Point& p : points) p.x = side * (p.x + reach + gap / 2);
+    if (side < 0) std::reverse(points.begin(), points.end());
+    b.curves.push_back(closed_curve("cell", closed_spline(2, std::move(points)), side < 0 ? 1 : 2, 0));
+  }
+  add_walls(b, {-3, -2}, {3, 2}, 0);
+  return b;
+}
+
+/// A gear whose flanks are straight and whose edges are rounded: a quadratic spline cuts the corners of its polygon.
+BoundaryComplex filleted_gear(int teeth, double fillet) {
+  std::vector<Point> points;
+  std::vector<Point> corners;
+  for (int i = 0; i < 4 * teeth; ++i) {
+    const double angle = 2 * std::numbers::pi * i / (4.0 * teeth), radius = i % 4 < 2 ? 1 : 0.85;
+    corners.push_back(radius * Point{std::cos(angle), std::sin(angle)});
+  }
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const Point &a = corners[i], &b = corners[(i + 1) % corners.size()];
+    points.insert(points.end(), {a, (1 - fillet) * a + fillet * b, fillet * a + (1 - fillet) * b});
+  }
+  BoundaryComplex b = with_faces({"gear"});
+  b.curves.push_back(closed_curve("outline", closed_spline(2, std::move(points)), 0));
+  return b;
+}
+
+/// A cubic spline once round a profile of unit chord, from the trailing edge and back to it: `at` from -1 to 1.
+BSpline profile(Point (*at)(double), int count) {
+  constexpr int degree = 3;
+  std::vector<double> knots(degree, 0.0);
+  for (int i = 0; i <= count - degree; ++i) knots.push_back(i);
+  knots.insert(knots.end(), degree, count - degree);
+  BSpline spline(degree, false, knots, std::vector<Point>(static_cast<std::size_t>(count)));
+  std::vector<Point> values;
+  for (const double t : spline.greville()) values.push_back(at(2 * t / (count - degree) - 1));
+  REQUIRE(spline.interpolate(values));
+  spline.set_point(0, values.front());
+  spline.set_point(count - 1, values.front());
+  return spline;
+}
+
+/// NACA 0012 with a closed trailing edge, of angle 2 atan(0.14) = 16 degrees; u^2 is the distance from the leading
+/// edge, smooth there.
+Point naca_0012(double u) {
+  const double x = u * u;
+  return {x, -0.6 * (0.2969 * u + std::copysign(x, u) * (-0.126 + x * (-0.3516 + x * (0.2843 - 0.1036 * x))))};
+}
+
+BoundaryComplex in_far_field(BSpline outline, double radius) {
+  BoundaryComplex b = with_faces({"air", "wing"});
+  b.vertices = {outline.points().front()};
+  Curve curve = closed_curve("profile", std::move(outline), 1, 0);
+  curve.start = curve.end = 0;
+  b.curves.push_back(std::move(curve));
+  b.curves.push_back(closed_curve("far field", circle(3, {}, radius, 16), 0));
+  return b;
+}
+
+}  // namespace
+
+TEST_CASE("two circles next to each other are meshed, with what lies between them", "[generate][hard]") {
+  for (const double gap : {1e-3, 2e-7, 1e-8}) {
+    CAPTURE(gap);
+    meshed(neighbours(gap));
+  }
+}
+
+TEST_CASE("slivers of aspect ratio ten thousand are meshed", "[generate][hard]") {
+  const double h = 1e-4;
+  meshed(polygon({{0, 0}, {1, 0}, {1, h}, {0, h}}));
+  meshed(polygon({{0, 0}, {1, 0}, {0.5, h}}));
+  meshed(polygon({{0, 0}, {1, 0}, {0.01, h}}));
+  meshed(polygon({{0, 0}, {1, 0.3}, {1, 0.3 + h}, {0, h}}));
+  // Bent, like a strip of paper, and tapering to both ends.
+  meshed(polygon({{0, 0}, {1, 0}, {1, h}, {0, h}}, {{{0.5, 0.4}}, {}, {{0.5, 0.4 + h}}, {}}));
+  meshed(polygon({{0, 0}, {1, 0}}, {{{0.5, 0.4}}, {{0.5, 0.4 + h}}}));
+  meshed(polygon({{0, 0}, {1, 0}}, {{{0.5, 1.4}}, {{0.5, 1.4 + h}}}));
+}
+
+TEST_CASE("a feature of a millionth of the domain is meshed", "[generate][hard]") {
+  const double h = 1e-6;
+  meshed(polygon({{0, 0}, {1, 0}, {1, 1}, {0.5 + h, 1}, {0.5 + h, 1 - h}, {0.5, 1 - h}, {0.5, 1}, {0, 1}}));
+  meshed(polygon({{0, 0}, {1, 0}, {1, 1}, {0.5 + h, 1}, {0.5, 1 - 1e3 * h}, {0.5 - h, 1}, {0, 1}}));
+  meshed(polygon({{0, 0}, {1, 0}, {1, h}, {1 + h, h}, {1 + h, 0}, {2, 0}, {2, 1}, {0, 1}}));
+  BoundaryComplex hole = square();
+  hole.curves.push_back(closed_curve("hole", circle(2, {0.5, 0.5}, h), outside, 0));
+  meshed(hole);
+  BoundaryComplex near_wall = square();
+  near_wall.curves.push_back(closed_curve("hole", circle(3, {0.3, 2 * h}, h), outside, 0));
+  meshed(near_wall);
+}
+
+TEST_CASE("gears with fillets are meshed, however small the fillets", "[generate][hard]") {
+  for (const double fillet : {0.3, 0.1, 1e-3, 1e-6}) {
+    CAPTURE(fillet);
+    meshed(filleted_gear(24, fillet));
+  }
+}
+
+TEST_CASE("a wing's profile with its sharp trailing edge is meshed, inside and out to a far field",
+          "[generate][hard]") {
+  const double radius = GENERATE(20.0, 1e4);
+  CHECK(meshed(in_far_field(profile(naca_0012, 60), radius)).boundary().cusps.empty());
+  meshed(in_far_field(profile(naca_0012, 500), radius));
+}
+
+TEST_CASE("a Joukowski profile is meshed but for the cusp of its trailing edge, which is listed", "[generate][hard]") {
+  BoundaryComplex b = with_faces({"air", "wing"});
+  b.vertices = {{1, 0}, {0, 0}};
+  b.curves.push_back(open_curve(b, "upper", 0, 1, {{0.5, 0}, {0, 0.25}}, 1, 0));
+  b.curves.push_back(open_curve(b, "lower", 1, 0, {{0, -0.15}, {0.3, 0}}, 1, 0));
+  b.curves.push_back(closed_curve("far field", circle(3, {}, 20, 16), 0));
+  CHECK(meshed(b).boundary().cusps == std::vector<int>{0});
+}
+
+TEST_CASE("two hundred cells in a channel are meshed, whatever their shapes", "[generate][hard][property]") {
+  const auto seed = GENERATE(range<std::uint64_t>(0, 3));
+  CAPTURE(seed);
+  std::mt19937_64 random(seed);
+  std::uniform_real_distribution<double> u(-1, 1);
+  BoundaryComplex b = with_faces({"plasma"});
+  add_walls(b, {-1, -1}, {39, 19}, 0);
+  for (int i = 0; i < 20; ++i)
+    for (int j = 0; j < 10; ++j) {
+      // Control points at distances up to 0.999 from a centre on a grid of step 2: the cells may all but touch.
+      const auto radius = [&](double) { return 0.75 + 0.249 * u(random); };
+      const int face = static_cast<int>(b.faces.size());
+      b.faces.push_back({"cell " + std::to_string(face), {}});
+      b.curves.push_back(
+          closed_curve("", polar_spline(2, 6 + face % 9, 2.0 * Point{double(i), double(j)}, radius), face, 0));
+    }
+  meshed(b);
+}
+
+TEST_CASE("star-shaped domains are meshed by the hundred", "[generate][hard][property]") {
+  for (std::uint64_t seed = 0; seed < 300; ++seed) {
+    CAPTURE(seed);
+    std::mt19937_64 random(seed);
+    std::uniform_real_distribution<double> u(0, 1);
+    const int degree = 2 + static_cast<int>(seed % 3), count = 5 + static_cast<int>(random() % 40);
+    const double depth = u(random);
+    const auto radius = [&](double) { return 1 - 0.97 * depth * u(random); };
+    BoundaryComplex b = with_faces({"star"});
+    b.curves.push_back(closed_curve("outline", polar_spline(degree, count, {}, radius), 0));
+    meshed(b);
+  }
+}
+
+TEST_CASE("polygons with curved sides are meshed by the hundred", "[generate][hard][property]") {
+  int tried = 0, meshes = 0;
+  for (std::uint64_t seed = 0; seed < 400; ++seed) {
+    CAPTURE(seed);
+    std::mt19937_64 random(seed);
+    std::uniform_real_distribution<double> u(-1, 1);
+    const int count = 3 + static_cast<int>(random() % 12), degree = 2 + static_cast<int>(seed % 2);
+    std::vector<Point> corners;
+    for (int i = 0; i < count; ++i) {
+      const double angle = 2 * std::numbers::pi * (i + 0.45 * u(random)) / count, radius = 0.55 + 0.45 * u(random);
+      corners.push_back(radius * Point{std::cos(angle), std::sin(angle)});
+    }
+    std::vector<std::vector<Point>> inner;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      const Point a = corners[i], d = corners[(i + 1) % corners.size()] - a;
+      std::vector<Point> side;
+      for (int k = 1; k < degree; ++k) side.push_back(a + double(k) / degree * d + 0.4 * u(random) * Point{-d.y, d.x});
+      inner.push_back(std::move(side));
+    }
+    const BoundaryComplex b = polygon(corners, inner);
+    ++tried;
+    if (!check_boundary_geometry(b).empty()) continue;  // sides that cross
+    ++meshes;
+    meshed(b);
+  }
+  CHECK(2 * meshes > tried);
+}
+
+TEST_CASE("small angles between curved sides are meshed down to a billionth", "[generate][hard]") {
+  for (const double angle : {1e-5, 1e-7, 1e-8, 4e-9, 2e-9}) {
+    BoundaryComplex b = crescent(angle / 2);
+    for (Point& p : b.vertices) p += Point{1, 1};
+    for (Curve& curve : b.curves)
+      for (int i = 0; i < 4; ++i)
+        curve.spline.set_point(i, curve.spline.points()[static_cast<std::size_t>(i)] + Point{1, 1});
+    CAPTURE(angle);
+    for (const BoundaryComplex& moon : {crescent(angle / 2), b}) meshed(moon);
+    CHECK(meshed(crescent(angle / 2)).boundary().cusps.empty());
+  }
+  // Two parabolas with nearly the same tangent, of the same and of different lengths, anywhere.
+  for (const double angle : {1e-2, 1e-4, 1e-6, 1e-7})
+    for (const double reach : {0.5, 0.993, 1.0}) {
+      CAPTURE(angle, reach);
+      BoundaryComplex b = with_faces({"horn"});
+      b.vertices = {{0, 0}, {1, 1}, {reach, reach * (reach + angle)}};
+      for (Point& p : b.vertices) p += Point{0.3, 1};
+      b.curves.push_back(open_curve(b, "lower", 0, 1, {{0.8, 1}}, 0));
+      b.curves.push_back(open_curve(b, "end", 1, 2, {}, 0));
+      b.curves.push_back(open_curve(b, "upper", 2, 0, {{0.3 + reach / 2, 1 + angle * reach / 2}}, 0));
+      meshed(b);
+    }
+}
+
+TEST_CASE("what is too close to be meshed is refused by names, parameters and coordinates", "[generate][hard]") {
+  const std::vector<Fault> faults = check_boundary_geometry(neighbours(0));
+  REQUIRE_FALSE(faults.empty());
+  CHECK_THAT(faults.front().text, Catch::Contains("curve 'cell' (0) at parameter") &&
+                                      Catch::Contains("curve 'cell' (1) at parameter") && Catch::Contains("at ("));
+}
