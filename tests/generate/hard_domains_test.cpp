@@ -241,4 +241,13 @@ TEST_CASE("what is too close to be meshed is refused by names, parameters and co
   REQUIRE_FALSE(faults.empty());
   CHECK_THAT(faults.front().text, Catch::Contains("curve 'cell' (0) at parameter") &&
                                       Catch::Contains("curve 'cell' (1) at parameter") && Catch::Contains("at ("));
+
+  // A hairpin: turns back within less than 1e-9 of its length.
+  const BoundaryComplex hairpin = polygon({{0, 0}, {1, 0.5}, {0, 1e-10}}, {{{0.5, -0.5}}, {{0.5, 1}}, {{-1, 5e-11}}});
+  CHECK(check_boundary_geometry(hairpin).empty());
+  Mesh mesh;
+  const GenerateOutcome outcome = mesh_from_boundary(hairpin, {}, mesh);
+  CHECK_FALSE(outcome.ok);
+  CHECK_THAT(outcome.failure, Catch::Contains("curve 'side 2' (2), parameters 0.") && Catch::Contains("near (-0.") &&
+                                  Catch::Contains("turns too sharply"));
 }

@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "pliant/boundary/boundary_spans.h"
 #include "pliant/geometry/predicates.h"
 
 namespace pliant {
@@ -204,9 +205,7 @@ std::vector<std::array<int, 3>> Delaunay::triangles() const {
 }
 
 void Delaunay::refuse(int a, int b, const char* how, int c, int d) const {
-  const auto name = [this](int v) {
-    return std::to_string(v) + " (" + std::to_string(point(v).x) + ", " + std::to_string(point(v).y) + ")";
-  };
+  const auto name = [this](int v) { return std::to_string(v) + " " + describe_point(point(v)); };
   std::string text = "points " + name(a) + " and " + name(b) + " " + how;
   if (c >= 0) text += " " + name(c);
   if (d >= 0) text += " to " + name(d);

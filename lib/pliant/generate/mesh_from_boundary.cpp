@@ -37,8 +37,8 @@ class Generator {
       }
       if (!split_around(invalid)) return finish();
     }
-    outcome_.failure = "elements stay invalid after " + std::to_string(most_rounds) + " rounds of splits, near " +
-                       describe_point(last_place_);
+    outcome_.failure =
+        "elements stay invalid after " + std::to_string(most_rounds) + " rounds of splits, " + last_place_;
     return finish();
   }
 
@@ -85,13 +85,23 @@ class Generator {
       any = true;
       ++splits_;
     }
-    const auto& corners = planar_.corners[static_cast<std::size_t>(invalid.front())];
-    last_place_ = Point{};
-    for (const int v : corners) last_place_ += planar_.points[static_cast<std::size_t>(v)] / 3;
+    last_place_ = describe_place(invalid.front());
     if (!any)
-      outcome_.failure = "no valid element was found near " + describe_point(last_place_) + " (" +
-                         std::to_string(invalid.size()) + " elements are left without a certificate)";
+      outcome_.failure = "no valid element was found " + last_place_ + " (" + std::to_string(invalid.size()) +
+                         " elements are left without a certificate)";
     return any;
+  }
+
+  /// "near (0.5, 1), at curve 'wall' (2), parameters 0 to 1": a triangle's centre and the spans that it lies on.
+  std::string describe_place(int t) const {
+    Point center;
+    for (const int v : planar_.corners[static_cast<std::size_t>(t)])
+      center += planar_.points[static_cast<std::size_t>(v)] / 3;
+    std::string text = "near " + describe_point(center);
+    for (int h = 3 * t; h < 3 * t + 3; ++h)
+      if (planar_.span(h) >= 0)
+        text += ", at " + describe_span(boundary_, (*spans_)[static_cast<std::size_t>(planar_.span(h))]);
+    return text;
   }
 
   /// Does the opposite corner lie in the chord's diametral circle?
@@ -126,7 +136,7 @@ class Generator {
   PlanarMesh planar_;
   std::vector<Point> free_points_;
   GenerateOutcome outcome_;
-  Point last_place_;
+  std::string last_place_;
   long splits_ = 0, ears_ = 0;
 };
 

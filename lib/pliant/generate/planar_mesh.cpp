@@ -5,6 +5,7 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "pliant/generate/tame_spans.h"
 #include "pliant/generate/triangulate_boundary.h"
 
 namespace pliant {
@@ -99,11 +100,7 @@ class FaceFinder {
     const Point b = mesh_.points[static_cast<std::size_t>(mesh_.target(h))];
     std::string text =
         name(one) + " and " + name(other) + " are not separated by a curve near " + describe_point(a / 2 + b / 2);
-    if (s >= 0) {
-      const BoundarySpan& span = spans_[static_cast<std::size_t>(s)];
-      text += ", at " + describe_curve(boundary_, span.curve) + ", parameters " + describe_number(span.t0) + " to " +
-              describe_number(span.t1);
-    }
+    if (s >= 0) text += ", at " + describe_span(boundary_, spans_[static_cast<std::size_t>(s)]);
     return text;
   }
 

@@ -43,11 +43,19 @@ double parameter_at(std::span<const Point> polygon, double radius) {
 
 class Round {
  public:
-  explicit Round(const BoundaryComplex& boundary) : spans_(boundary), wish_(spans_.size(), 0) {}
+  explicit Round(const BoundaryComplex& boundary)
+      : spans_(boundary), wish_(spans_.size(), 0), rival_(wish_.size(), -1) {}
 
   const BoundarySpans& spans() const { return spans_; }
   /// Where each span is to be split; 0: not at all.
   const std::vector<double>& wishes() const { return wish_; }
+  /// What is wrong with a span that is to be split, in words that name curves, parameters and coordinates.
+  std::string describe(const BoundaryComplex& boundary, std::size_t i) const {
+    const std::string place =
+        describe_span(boundary, spans_[i]) + ", near " + describe_point(spans_.polygon(i).front());
+    if (rival_[i] < 0) return place + ", turns too sharply";
+    return place + ", comes too close to " + describe_span(boundary, spans_[static_cast<std::size_t>(rival_[i])]);
+  }
 
   void find_turning() {
     for (std::size_t i = 0; i < spans_.size(); ++i)
@@ -71,7 +79,8 @@ class Round {
     const bool joined_at_start = a.from == b.from || a.from == b.to;
     const bool joined_at_end = a.to == b.from || a.to == b.to;
     if (joined_at_start && joined_at_end) {
-      wish_[i] = wish_[j] = 0.5;
+      wish(i, 0.5, j);
+      wish(j, 0.5, i);
       return;
     }
     if (!joined_at_start && !joined_at_end) {
@@ -89,6 +98,11 @@ class Round {
       split_thicker(i, j);
   }
 
+  void wish(std::size_t i, double s, std::size_t rival) {
+    wish_[i] = s;
+    rival_[i] = static_cast<int>(rival);
+  }
+
   /// The polygon of span i relative to one of its ends, which comes first.
   std::vector<Point> outward(std::size_t i, int node) const {
     const auto polygon = spans_.polygon(i);
@@ -104,7 +118,7 @@ class Round {
     const double height_i = hull_height(spans_.polygon(i)), height_j = hull_height(spans_.polygon(j));
     const auto extent = [this](std::size_t k) { return spans_.box(k).size(); };
     if (std::max(height_i, height_j) <= 1e-15 * (extent(i) + extent(j))) return;
-    wish_[height_i >= height_j ? i : j] = 0.5;
+    wish(height_i >= height_j ? i : j, 0.5, height_i >= height_j ? j : i);
   }
 
   void level_ends(std::size_t i, std::size_t j, int node, std::span<const Point> a, std::span<const Point> b) {
@@ -116,15 +130,21 @@ class Round {
     for (const auto& [k, polygon] : {std::pair(i, a), std::pair(j, b)}) {
       if (length(polygon.back()) <= 1.01 * radius) continue;
       const double s = parameter_at(polygon, radius);
-      wish_[k] = spans_[k].from == node ? s : 1 - s;
+      wish(k, spans_[k].from == node ? s : 1 - s, k == i ? j : i);
     }
   }
 
   BoundarySpans spans_;
   std::vector<double> wish_;
+  std::vector<int> rival_;  // the span that each is to be kept apart from; -1: it turns too much
 };
 
 }  // namespace
+
+std::string describe_span(const BoundaryComplex& boundary, const BoundarySpan& span) {
+  return describe_curve(boundary, span.curve) + ", parameters " + describe_number(span.t0) + " to " +
+         describe_number(span.t1);
+}
 
 Vector tangent_at_end(std::span<const Point> polygon, bool at_start) {
   const Point origin = at_start ? polygon.front() : polygon.back();
@@ -157,22 +177,22 @@ TameOutcome tame_spans(BoundaryComplex& boundary) {
     Round round(boundary);
     round.find_turning();
     round.find_pairs();
+    std::string wrong;
     bool any = false;
     for (std::size_t k = 0; k < round.spans().size(); ++k) {
       const double s = round.wishes()[k];
       if (s == 0) continue;
       any = true;
+      if (i + 1 == most_rounds && wrong.empty()) wrong = round.describe(boundary, k);
       ++outcome.splits;
       if (split_span(boundary, round.spans()[k], least, s)) continue;
-      outcome.failure = describe_curve(boundary, round.spans()[k].curve) + " near " +
-                        describe_point(round.spans().polygon(k).front()) +
-                        " turns too sharply, or comes too close to another: a span would be shorter than 1e-9 of the "
-                        "boundary's size";
+      outcome.failure = round.describe(boundary, k) + ": a span would be shorter than 1e-9 of the boundary's size";
       return outcome;
     }
     if (!any) return outcome;
+    outcome.failure = std::move(wrong);
   }
-  outcome.failure = "the curves could not be separated in " + std::to_string(most_rounds) + " rounds of splits";
+  outcome.failure += ", after " + std::to_string(most_rounds) + " rounds of splits";
   return outcome;
 }
 

@@ -26,6 +26,9 @@ double least_span(const BoundaryComplex& boundary);
 /// Splits a span at s in (0, 1); false if one of its parts would be shorter than `least`.
 bool split_span(BoundaryComplex& boundary, const BoundarySpan& span, double least, double s = 0.5);
 
+/// "curve 'wall' (2), parameters 0.5 to 1".
+std::string describe_span(const BoundaryComplex& boundary, const BoundarySpan& span);
+
 /// Direction of a span at one of its ends, away from it: the first leg of its polygon that has a length.
 Vector tangent_at_end(std::span<const Point> polygon, bool at_start);
 
