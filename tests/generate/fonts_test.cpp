@@ -4,6 +4,7 @@
 #include <set>
 
 #include "generate/meshed_boundary.h"
+#include "pliant/improve/refine.h"
 #include "support/font_outlines.h"
 
 using namespace pliant;
@@ -16,6 +17,7 @@ constexpr int stride = 1;
 #else
 constexpr int stride = 16;  // with assertions and sanitizers each is slower by as much
 #endif
+constexpr double radian = 180 / std::numbers::pi;
 
 const char* const folder = "/usr/share/fonts/truetype/dejavu/";
 
@@ -64,6 +66,43 @@ std::vector<Fault> contacts(const std::vector<Contour>& contours) {
   return faults;
 }
 
+/// Where ink ends in an angle below 60 degrees.
+std::vector<Point> sharp_corners(const std::vector<Contour>& contours) {
+  std::vector<Point> corners;
+  for (const Contour& contour : contours)
+    for (std::size_t i = 0; i < contour.size(); ++i) {
+      const Conic& before = contour[(i + contour.size() - 1) % contour.size()];
+      const Vector back = before.control - before.to, on = contour[i].control - contour[i].from;
+      if (std::atan2(std::fabs(cross(on, back)), dot(on, back)) * radian < 60) corners.push_back(contour[i].from);
+    }
+  return corners;
+}
+
+double least_angle(const std::array<Point, 3>& corners) {
+  double least = HUGE_VAL;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vector u = corners[(i + 1) % 3] - corners[i], v = corners[(i + 2) % 3] - corners[i];
+    least = std::min(least, std::atan2(cross(u, v), dot(u, v)) * radian);
+  }
+  return least;
+}
+
+/// Is an angle of the straight triangles below 20 degrees, and none of these corners near?
+bool has_small_angle(const Mesh& mesh, const std::vector<Point>& sharp) {
+  for (TriangleId t = 0; t < mesh.triangle_slots(); ++t) {
+    const std::array corners{mesh.point(mesh.corner(t, 0)), mesh.point(mesh.corner(t, 1)),
+                             mesh.point(mesh.corner(t, 2))};
+    if (least_angle(corners) >= 20) continue;
+    double extent = 0, away = HUGE_VAL;
+    for (std::size_t i = 0; i < 3; ++i) {
+      extent = std::max(extent, distance(corners[i], corners[(i + 1) % 3]));
+      for (const Point& p : sharp) away = std::min(away, distance(corners[i], p));
+    }
+    if (away > 2 * extent) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 TEST_CASE("every glyph is meshed, certified, with the area of its outline, or its contours meet", "[generate][fonts]") {
@@ -93,4 +132,27 @@ TEST_CASE("every glyph is meshed, certified, with the area of its outline, or it
   }
   CHECK(meshes > 1000 / stride);
   CHECK(refusals < meshes / 30);
+}
+
+TEST_CASE("refined glyphs stay exact; few have angles below 20 degrees away from small angles of their outlines",
+          "[generate][fonts]") {
+  const auto name = GENERATE(as<std::string>{}, "DejaVuSans", "DejaVuSerif-Bold");
+  CAPTURE(name);
+  const Font font(folder + name + ".ttf");
+  int refined = 0, poor = 0;
+  for (int glyph = 0; glyph < font.glyph_count(); glyph += 20 * stride) {
+    const std::vector<Contour> contours = font.contours(glyph);
+    if (contours.empty() || !contacts(contours).empty()) continue;
+    CAPTURE(glyph);
+    double area = 0;
+    Mesh mesh;
+    REQUIRE(mesh_from_boundary(boundary_by_nonzero(contours, area), {}, mesh).ok);
+    refine(mesh, {});
+    CHECK(find_invalid(mesh).empty());
+    CHECK(meshed_areas(mesh).front() == Approx(area).epsilon(1e-12));
+    ++refined;
+    poor += has_small_angle(mesh, sharp_corners(contours));
+  }
+  CAPTURE(refined, poor);
+  CHECK(poor <= refined / 20);
 }
