@@ -132,8 +132,7 @@ TEST_CASE("shapes that cross, touch or lie over each other are refused with both
 }
 
 TEST_CASE("curves at the limits of what is read end in a boundary or a refusal, soon", "[svg]") {
-  const auto curves = [](const std::string& scale) {
-    const std::string s = scale;
+  const auto curves = [](const std::string& s) {
     return svg("<path d='M0 0C3" + s + " 8" + s + " -2" + s + " 9" + s + " 6" + s + " 7" + s + "Q9" + s + " 0 4" + s +
                " 0A1" + s + " 2" + s + " 30 1 1 2" + s + " -1" + s + "z'/>");
   };
