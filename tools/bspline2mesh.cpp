@@ -10,6 +10,7 @@
 #include "pliant/boundary/check_boundary.h"
 #include "pliant/generate/mesh_from_boundary.h"  // tools/bspline2mesh.cpp
 #include "pliant/improve/refine.h"
+#include "pliant/improve/share_bends.h"
 #include "pliant/improve/straighten_edges.h"
 #include "pliant/mesh/check_mesh.h"
 
@@ -56,6 +57,7 @@ void refine_to(Mesh& mesh, const CriteriaOptions& criteria, PassReport& report) 
   const StraightenCounts edges = straighten_edges(mesh);
   report.add("edges_straightened", static_cast<double>(edges.straightened));
   report.add("edges_left_curved", static_cast<double>(edges.left));
+  report.add("elements_levelled", static_cast<double>(share_bends(mesh).levelled));
 }
 
 }  // namespace

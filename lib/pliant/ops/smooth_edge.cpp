@@ -5,6 +5,7 @@
 
 #include "pliant/geometry/optimal_placement.h"
 #include "pliant/ops/build_triangle.h"
+#include "pliant/ops/move_and_refit.h"
 #include "pliant/ops/refit.h"
 
 namespace pliant {
@@ -80,21 +81,6 @@ void blend(Mesh& mesh, TriangleId t) {
     }
     mesh.set_point(mesh.net(t)[static_cast<std::size_t>(k)], place);
   }
-}
-
-/// Runs `move` on a patch, then refits the given points' fields; rolled back unless all elements are valid.
-template <class Move>
-Refusal move_and_refit(Mesh& mesh, std::span<const TriangleId> elements, std::span<const PointId> points,
-                       const RefitOptions& options, Move move) {
-  const bool was_valid = all_valid(mesh, elements);
-  Transaction transaction(mesh);
-  thread_local Patch patch;
-  patch.capture(mesh, elements);
-  move();
-  if (!all_valid(mesh, elements)) return Refusal::would_invert;
-  patch.fit_fields(mesh, elements, points, options, was_valid);
-  transaction.commit();
-  return Refusal::done;
 }
 
 }  // namespace
