@@ -35,12 +35,12 @@ struct SplineMembers {
   std::vector<double> knots;
   std::vector<Point> points;
 
-  BSpline make(const JsonReader& in) {
+  BSpline make(const JsonReader& in, const std::string& name) {
     if (const std::optional<std::string> fault = BSpline::fault(degree, closed, knots, points)) {
       // A fault that opens with its place ("knots/7 is less than knots/6") extends the pointer.
       const std::string first = fault->substr(0, fault->find(' '));
       const bool placed = first.starts_with("knots/") || first.starts_with("points/");
-      in.fail(*fault, placed ? "/" + first : std::string());
+      in.fail((name.empty() ? "" : "curve '" + name + "': ") + *fault, placed ? "/" + first : std::string());
     }
     return {degree, closed, std::move(knots), std::move(points)};
   }
@@ -84,7 +84,7 @@ Curve read_curve(JsonReader& in) {
   if (spline.closed && has_ends) in.fail("a closed curve has no ends: start and end should be null");
   if (!spline.closed && (curve.start == no_vertex || curve.end == no_vertex))
     in.fail("an open curve should name the vertices start and end");
-  curve.spline = spline.make(in);
+  curve.spline = spline.make(in, curve.name);
   return curve;
 }
 

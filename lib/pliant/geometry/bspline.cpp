@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <utility>
@@ -36,6 +37,13 @@ struct Local {
 
 std::string number(const char* what, std::size_t i) { return std::string(what) + "/" + std::to_string(i); }
 
+/// "knots/3 is 0.5": its place opens the text.
+std::string knot_is(std::span<const double> knots, std::size_t i) {
+  std::array<char, 32> text;
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), knots[i]).ptr;
+  return number("knots", i) + " is " + std::string(text.data(), end);
+}
+
 /// The first knot that repeats its value more often than `limit`, the knots before `from` and from `to` on left out.
 std::optional<std::size_t> too_often(std::span<const double> knots, std::size_t from, std::size_t to, int limit) {
   int count = 0;
@@ -50,14 +58,17 @@ std::optional<std::string> open_fault(int degree, std::span<const double> knots)
   const auto p = static_cast<std::size_t>(degree);
   const std::size_t n = knots.size();
   for (std::size_t i = 1; i <= p; ++i) {
-    if (knots[i] != knots[0]) return number("knots", i) + " differs from the first: an open curve is clamped";
-    if (knots[n - 1 - i] != knots[n - 1])
-      return number("knots", n - 1 - i) + " differs from the last: an open curve is clamped";
+    const std::string equal = "; of an open curve of degree " + std::to_string(degree) + " the first " +
+                              std::to_string(degree + 1) + " knots are equal, and so are the last";
+    if (knots[i] != knots[0]) return knot_is(knots, i) + ", not the first knot's value" + equal;
+    if (knots[n - 1 - i] != knots[n - 1]) return knot_is(knots, n - 1 - i) + ", not the last knot's value" + equal;
   }
-  const auto excess = "has a value more than " + std::to_string(degree) + " times inside the curve";
-  if (knots[p + 1] == knots[0]) return number("knots", p + 1) + " repeats the first knot once too often";
-  if (knots[n - p - 2] == knots[n - 1]) return number("knots", n - p - 2) + " repeats the last knot once too often";
-  if (const auto i = too_often(knots, p + 1, n - p - 1, degree)) return number("knots", *i) + " " + excess;
+  const auto most = "; the ends have " + std::to_string(degree + 1);
+  if (knots[p + 1] == knots[0]) return knot_is(knots, p + 1) + ", the first knot once too often" + most;
+  if (knots[n - p - 2] == knots[n - 1]) return knot_is(knots, n - p - 2) + ", the last knot once too often" + most;
+  if (const auto i = too_often(knots, p + 1, n - p - 1, degree))
+    return knot_is(knots, *i) + " once too often; a knot inside a curve of degree " + std::to_string(degree) +
+           " is there at most " + std::to_string(degree) + " times";
   return std::nullopt;
 }
 
@@ -66,7 +77,8 @@ std::optional<std::string> closed_fault(int degree, std::span<const double> knot
   if (!(first < last)) return "knots span no interval";
   const std::size_t m = knots.size() - 1;
   if (const auto i = too_often(knots, 0, m, degree))
-    return number("knots", *i) + " has a value more than " + std::to_string(degree) + " times";
+    return knot_is(knots, *i) + " once too often; a knot of a curve of degree " + std::to_string(degree) +
+           " is there at most " + std::to_string(degree) + " times";
   const auto seam =
       std::count(knots.begin(), knots.end() - 1, first) + std::count(knots.begin(), knots.end() - 1, last);
   if (seam > degree) return "knots/0 and its period have a multiplicity of more than " + std::to_string(degree);
@@ -97,7 +109,8 @@ std::optional<std::string> BSpline::fault(int degree, bool closed, std::span<con
     if (!is_finite(points[i])) return number("points", i) + " is not finite";
   for (std::size_t i = 0; i < knots.size(); ++i) {
     if (!std::isfinite(knots[i])) return number("knots", i) + " is not finite";
-    if (i > 0 && knots[i] < knots[i - 1]) return number("knots", i) + " is less than " + number("knots", i - 1);
+    if (i > 0 && knots[i] < knots[i - 1])
+      return knot_is(knots, i) + ", but " + knot_is(knots, i - 1) + ": knots do not decrease";
   }
   if (!std::isfinite(2 * (knots.back() - knots.front()))) return "knots span more than a double holds";
   return closed ? closed_fault(degree, knots) : open_fault(degree, knots);

@@ -23,8 +23,9 @@ class BSpline {
   BSpline() = default;
   /// Requires what `fault()` checks.
   BSpline(int degree, bool closed, std::vector<double> knots, std::vector<Point> points);
-  /// Why these members are not a B-spline as above (in words that name the place, for example "knots/7 is less than
-  /// knots/6"); empty if they are. Also checks finiteness, counts, clamping, multiplicities.
+  /// Why these members are not a B-spline as above (in words that open with the place, for example "knots/7 is 2, but
+  /// knots/6 is 3: knots do not decrease"); empty if they are. Also checks finiteness, counts, clamping,
+  /// multiplicities.
   static std::optional<std::string> fault(int degree, bool closed, std::span<const double> knots,
                                           std::span<const Point> points);
 
