@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <stdexcept>
 #include <string>
 
 #include "pliant/boundary/boundary_spans.h"
+#include "pliant/generate/triangulate_boundary.h"
 #include "pliant/geometry/predicates.h"
 
 namespace pliant {
@@ -207,9 +207,10 @@ std::vector<std::array<int, 3>> Delaunay::triangles() const {
 void Delaunay::refuse(int a, int b, const char* how, int c, int d) const {
   const auto name = [this](int v) { return std::to_string(v) + " " + describe_point(point(v)); };
   std::string text = "points " + name(a) + " and " + name(b) + " " + how;
-  if (c >= 0) text += " " + name(c);
-  if (d >= 0) text += " to " + name(d);
-  throw std::invalid_argument(text);
+  std::vector<int> others;
+  if (c >= 0) others.push_back(c), text += " " + name(c);
+  if (d >= 0) others.push_back(d), text += " to " + name(d);
+  throw TriangulationError(text, {a, b}, how, std::move(others));
 }
 
 }  // namespace pliant

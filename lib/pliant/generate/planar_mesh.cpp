@@ -145,6 +145,17 @@ std::string triangulate_faces(const BoundaryComplex& boundary, const BoundarySpa
   for (const BoundarySpan& span : spans.spans()) segments.push_back({span.from, span.to});
   try {
     mesh.corners = triangulate(mesh.points, segments);
+  } catch (const TriangulationError& e) {
+    const int nodes = static_cast<int>(spans.nodes().size());
+    const auto name = [&](int v) {
+      return v < nodes ? describe_node(boundary, spans, v)
+                       : "an inner point " + describe_point(mesh.points[static_cast<std::size_t>(v)]);
+    };
+    std::string text =
+        "the curves' chords cannot be triangulated, points are too close for doubles: " + name(e.points[0]) + ", and " +
+        name(e.points[1]) + ", " + e.how;
+    for (const int v : e.others) text += (v == e.others.front() ? " " : ", and ") + name(v);
+    return text;
   } catch (const std::invalid_argument& e) {
     return std::string("the curves' chords cannot be triangulated: ") + e.what();
   }
