@@ -1,4 +1,5 @@
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <stdexcept>
 
 #include "criteria_options.h"
@@ -42,7 +43,11 @@ void resolve_crossings(BoundaryComplex& boundary, PassReport& report) {
 void require_boundary(const BoundaryComplex& boundary) {
   std::vector<Fault> faults = check_boundary(boundary);
   if (faults.empty()) faults = check_boundary_geometry(boundary);
-  if (!faults.empty()) throw BadMesh(std::move(faults));
+  if (faults.empty()) faults = check_boundary_sides(boundary);
+  if (faults.empty()) return;
+  if (std::any_of(faults.begin(), faults.end(), [](const Fault& fault) { return fault.invariant == "contact"; }))
+    faults.push_back({"contact", "", "--resolve cuts curves where they cross, touch or overlap"});
+  throw BadMesh(std::move(faults));
 }
 
 /// Refines to the criteria of the options and of the document; writes them into it.

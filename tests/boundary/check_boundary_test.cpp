@@ -40,8 +40,8 @@ TEST_CASE("an open curve ends in its vertices bit for bit", "[boundary]") {
   BoundaryComplex b = square();
   b.vertices[2].x += 1e-15;
   const auto faults = check_boundary(b);
-  CHECK(names(faults, "/curves/1/end", "differs from vertex 2"));
-  CHECK(names(faults, "/curves/2/start", "differs from vertex 2"));
+  CHECK(names(faults, "/curves/1/end", "should end in vertex 2, but that is at"));
+  CHECK(names(faults, "/curves/2/start", "should end in vertex 2, but that is at"));
   b = square();
   b.curves[0].end = no_vertex;
   CHECK(names(check_boundary(b), "/curves/0/end", "needs a vertex"));
@@ -51,7 +51,7 @@ TEST_CASE("a closed curve has no ends", "[boundary]") {
   BoundaryComplex b = one_cell(2);
   b.vertices.push_back({0, 0});
   b.curves[0].start = 0;
-  CHECK(names(check_boundary(b), "/curves/0/start", "no start"));
+  CHECK(names(check_boundary(b), "/curves/0/start", "it has no start"));
 }
 
 TEST_CASE("faces need a name of their own and a curve", "[boundary]") {
@@ -77,6 +77,8 @@ TEST_CASE("loops that do not close are found at the vertices where they stop", "
   const auto faults = check_boundary(b);
   CHECK(names(faults, "/vertices/0", "starts at vertex 0"));
   CHECK(names(faults, "/vertices/6", "ends at vertex 3"));
+  CHECK(names(faults, "/vertices/6", "curve 'side 2' (2) ends there, at parameter 1, face 'square' on its left"));
+  CHECK(names(faults, "/vertices/6", "starts at vertex 0 (0, 0), 1 away"));
 }
 
 TEST_CASE("numbers that are not finite are found", "[boundary]") {
@@ -89,4 +91,11 @@ TEST_CASE("numbers that are not finite are found", "[boundary]") {
   b = one_cell(3);
   b.curves[0].spline.set_point(2, {HUGE_VAL, 0});
   CHECK(names(check_boundary(b), "/curves/0", "points/2"));
+}
+
+TEST_CASE("a vertex that stands twice at one point is named where a loop does not close", "[boundary]") {
+  BoundaryComplex b = square();
+  b.vertices.push_back(b.vertices[2]);
+  b.curves[2].start = 4;
+  CHECK(names(check_boundary(b), "/vertices/4", "starts at vertex 4 (1, 1), the same point"));
 }

@@ -58,12 +58,9 @@ Point place_in(const std::string& text) {
   return {std::strtod(text.c_str() + open + 1, nullptr), std::strtod(text.c_str() + comma + 1, nullptr)};
 }
 
-/// Faults but those of orientation: some contours of these fonts run the wrong way round, which the nonzero rule mends.
+/// Not check_boundary_sides: some contours of these fonts run the wrong way round, which the nonzero rule mends.
 std::vector<Fault> contacts(const std::vector<Contour>& contours) {
-  std::vector<Fault> faults;
-  for (const Fault& fault : check_boundary_geometry(boundary_as_drawn(contours)))
-    if (fault.text.find("enclose the area") == std::string::npos) faults.push_back(fault);
-  return faults;
+  return check_boundary_geometry(boundary_as_drawn(contours));
 }
 
 /// Where ink ends in an angle below 60 degrees.

@@ -2,6 +2,8 @@
 
 #include <array>
 #include <charconv>
+#include <cmath>
+#include <cstdio>
 
 namespace pliant {
 
@@ -49,5 +51,28 @@ std::string describe_number(double value) {
 }
 
 std::string describe_point(const Point& p) { return "(" + describe_number(p.x) + ", " + describe_number(p.y) + ")"; }
+
+std::string describe_number(double value, double resolution) {
+  if (!(std::fabs(value) >= resolution)) return "0";
+  // The digit that stands for the resolution is the last.
+  const double digits = std::floor(std::log10(std::fabs(value))) - std::floor(std::log10(resolution)) + 1;
+  if (!(digits < 17)) return describe_number(value);
+  std::array<char, 40> text;
+  std::snprintf(text.data(), text.size(), "%.*g", static_cast<int>(digits), value);
+  return text.data();
+}
+
+std::string describe_point(const Point& p, double resolution) {
+  return "(" + describe_number(p.x, resolution) + ", " + describe_number(p.y, resolution) + ")";
+}
+
+std::string describe_node(const BoundaryComplex& boundary, const BoundarySpans& spans, int node) {
+  const std::string place = describe_point(spans.nodes()[static_cast<std::size_t>(node)]);
+  if (node < static_cast<int>(boundary.vertices.size())) return "vertex " + std::to_string(node) + " " + place;
+  for (const BoundarySpan& span : spans.spans())
+    if (span.from == node)
+      return describe_curve(boundary, span.curve) + " at parameter " + describe_number(span.t0) + ", " + place;
+  return place;
+}
 
 }  // namespace pliant

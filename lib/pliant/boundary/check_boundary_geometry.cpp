@@ -1,5 +1,8 @@
 #include <algorithm>  // lib/pliant/boundary/check_boundary_geometry.cpp: what a boundary that is to be meshed must hold
+#include <array>
+#include <cmath>
 #include <numeric>
+#include <set>
 
 #include "pliant/boundary/boundary_spans.h"
 #include "pliant/boundary/box_pairs.h"
@@ -10,6 +13,15 @@ namespace pliant {
 namespace {
 
 constexpr std::size_t most_faults = 20;  // a curve laid over another would give one a span
+constexpr double resolution = 1e-9;      // of a span or a pair of spans: to what contacts are told and told apart
+
+Vector tangent_at(std::span<const Point> polygon, double s) {
+  std::vector<Point> points(polygon.begin(), polygon.end());
+  for (std::size_t left = points.size(); left > 2; --left)
+    for (std::size_t i = 0; i + 1 < left; ++i) points[i] = (1 - s) * points[i] + s * points[i + 1];
+  const Vector along = points[1] - points[0];
+  return along / length(along);
+}
 
 class Geometry {
  public:
@@ -19,20 +31,24 @@ class Geometry {
     check_vertices();
     check_spans();
     check_pairs();
-    check_orientation();
     return std::move(faults_);
   }
 
  private:
-  void fault(std::string place, std::string text) {
-    if (faults_.size() < most_faults) faults_.push_back({"boundary", std::move(place), std::move(text)});
+  void fault(Fault wrong) {
+    if (faults_.size() < most_faults) faults_.push_back(std::move(wrong));
   }
+  void fault(std::string place, std::string text) { fault({"boundary", std::move(place), std::move(text)}); }
   std::string place_of(std::size_t i) const { return "/curves/" + std::to_string(spans_[i].curve); }
-  std::string at_parameter(std::size_t i, double s) const {
+  std::string parameter(std::size_t i, double s) const {
     const BoundarySpan& span = spans_[i];
-    return describe_curve(boundary_, span.curve) + " at parameter " +
-           describe_number(span.t0 + s * (span.t1 - span.t0));
+    const double length = span.t1 - span.t0;
+    return describe_number(span.t0 + s * length, resolution * length);
   }
+  std::string at_parameter(std::size_t i, double s) const {
+    return describe_curve(boundary_, spans_[i].curve) + " at parameter " + parameter(i, s);
+  }
+  std::string at(const Point& p, double size) const { return describe_point(p, resolution * size); }
   ContactCurve curve(std::size_t i) const { return {spans_.polygon(i), spans_[i].from, spans_[i].to}; }
 
   void check_vertices() {
@@ -43,31 +59,38 @@ class Geometry {
       return std::array{all[i].x, all[i].y} < std::array{all[j].x, all[j].y};
     });
     for (std::size_t k = 1; k < order.size(); ++k)
-      if (all[order[k - 1]] == all[order[k]])
+      if (all[order[k - 1]] == all[order[k]]) {
+        has_twins_ = true;
         fault("/vertices/" + std::to_string(2 * std::max(order[k - 1], order[k])),
               "vertices " + std::to_string(std::min(order[k - 1], order[k])) + " and " +
                   std::to_string(std::max(order[k - 1], order[k])) + " are the same point " +
-                  describe_point(all[order[k]]));
+                  describe_point(all[order[k]]) + ": curves that meet there should name the same vertex");
+      }
   }
 
+  /// One fault a curve: what else is wrong with it may follow from that.
   void check_spans() {
-    is_regular_.assign(spans_.size(), true);
+    is_regular_.assign(boundary_.curves.size(), true);
     for (std::size_t i = 0; i < spans_.size(); ++i) {
+      const auto c = static_cast<std::size_t>(spans_[i].curve);
+      if (!is_regular_[c]) continue;
       const auto polygon = spans_.polygon(i);
+      const double size = spans_.box(i).size();
       const bool is_point =
           std::all_of(polygon.begin(), polygon.end(), [&](const Point& p) { return p == polygon[0]; });
       const auto contact = is_point ? std::nullopt : find_self_contact(curve(i));
       if (!is_point && !contact) continue;
-      is_regular_[i] = false;
+      is_regular_[c] = false;
       if (is_point) {
-        fault(place_of(i), at_parameter(i, 0) + ": the span has no length; it stays at " + describe_point(polygon[0]));
+        fault(place_of(i), describe_curve(boundary_, spans_[i].curve) + " at parameters " + parameter(i, 0) + " to " +
+                               parameter(i, 1) + ": the span has no length; it stays at " + describe_point(polygon[0]) +
+                               ": leave it out");
       } else if (contact->kind == Contact::Kind::turns_back && contact->node < 0) {
-        fault(place_of(i),
-              at_parameter(i, contact->s) + ": the curve's derivative vanishes at " + describe_point(contact->place));
+        fault(place_of(i), at_parameter(i, contact->s) + ": the curve's derivative vanishes at " +
+                               at(contact->place, size) + ": control points coincide there, or it has a cusp");
       } else {
-        fault(place_of(i), at_parameter(i, contact->s) + " meets itself at parameter " +
-                               describe_number(spans_[i].t0 + contact->t * (spans_[i].t1 - spans_[i].t0)) + ", at " +
-                               describe_point(contact->place));
+        fault(place_of(i), at_parameter(i, contact->s) + " meets itself at parameter " + parameter(i, contact->t) +
+                               ", at " + at(contact->place, size) + ": a curve may only end where it starts");
       }
     }
   }
@@ -75,42 +98,79 @@ class Geometry {
   void check_pairs() {
     std::vector<Box> boxes(spans_.size());
     for (std::size_t i = 0; i < spans_.size(); ++i) boxes[i] = spans_.box(i);
+    const std::vector<int> loose = loose_vertices();
+    for (const int v : loose) boxes.emplace_back().extend(boundary_.vertices[static_cast<std::size_t>(v)]);
     for (const auto& [first, second] : overlapping_pairs(boxes)) {
       const auto i = static_cast<std::size_t>(first), j = static_cast<std::size_t>(second);
       if (faults_.size() >= most_faults) return;
-      if (!is_regular_[i] || !is_regular_[j]) continue;
+      if (i >= spans_.size() || !is_regular(i)) continue;
+      if (j >= spans_.size()) {
+        check_loose_vertex(loose[j - spans_.size()], i);
+        continue;
+      }
+      if (!is_regular(j)) continue;
       const auto contact = find_contact(curve(i), curve(j));
       if (!contact) continue;
       const bool at_vertex = contact->node >= 0 && contact->node < static_cast<int>(boundary_.vertices.size());
       if (contact->kind == Contact::Kind::turns_back && at_vertex) continue;  // a cusp: listed by who meshes it
+      const double size = std::max(boxes[i].size(), boxes[j].size());
+      if (!is_new(i, j, contact->place, size)) continue;
       const bool turns = contact->kind == Contact::Kind::turns_back;
-      fault(place_of(i), at_parameter(i, contact->s) + (turns ? " turns back into " : " meets ") +
-                             at_parameter(j, contact->t) + ", at " + describe_point(contact->place) +
-                             (turns ? "; a cusp needs a vertex" : ""));
+      fault({"contact", place_of(i),
+             at_parameter(i, contact->s) + (turns ? " turns back into " : relation(i, j, *contact)) +
+                 at_parameter(j, contact->t) + ", at " + at(contact->place, size) +
+                 (turns ? ": a cusp needs a vertex" : ": curves may meet at common vertices only")});
     }
   }
 
-  void check_orientation() {
-    const Point origin = spans_.nodes().empty() ? Point{} : spans_.nodes().front();
-    std::vector<double> area(boundary_.faces.size(), 0);
-    for (const Curve& curve : boundary_.curves) {
-      std::vector<Point> points = curve.spline.points();  // near the origin: open curves' areas cancel less
-      for (Point& p : points) p -= origin;
-      const double swept =
-          BSpline(curve.spline.degree(), curve.spline.closed(), curve.spline.knots(), std::move(points)).area();
-      if (curve.left != outside) area[static_cast<std::size_t>(curve.left)] += swept;
-      if (curve.right != outside) area[static_cast<std::size_t>(curve.right)] -= swept;
-    }
-    for (std::size_t f = 0; f < area.size(); ++f)
-      if (!(area[f] > 0))
-        fault("/faces/" + std::to_string(f), "the curves around face '" + boundary_.faces[f].name +
-                                                 "' enclose the area " + describe_number(area[f]) +
-                                                 ": it lies on their wrong side, exchange left and right");
+  bool is_regular(std::size_t i) const { return is_regular_[static_cast<std::size_t>(spans_[i].curve)]; }
+
+  /// Spans that join where their curve meets another would tell of it twice, or four times.
+  bool is_new(std::size_t i, std::size_t j, const Point& place, double size) {
+    const std::array<int, 2> pair{spans_[i].curve, spans_[j].curve};
+    for (const auto& [known, where] : contacts_)
+      if (known == pair && distance(where, place) <= 10 * resolution * size) return false;
+    contacts_.emplace_back(pair, place);
+    return true;
+  }
+
+  const char* relation(std::size_t i, std::size_t j, const Contact& contact) const {
+    const auto inside = [](double s) { return resolution < s && s < 1 - resolution; };
+    if (!inside(contact.s) || !inside(contact.t)) return " meets ";
+    const double sine = cross(tangent_at(spans_.polygon(i), contact.s), tangent_at(spans_.polygon(j), contact.t));
+    return std::fabs(sine) > 1e-4 ? " crosses " : " touches or overlaps ";
+  }
+
+  /// Vertices that no curve ends in become some of the mesh, unless they lie on a curve.
+  std::vector<int> loose_vertices() const {
+    std::vector<bool> is_used(boundary_.vertices.size(), false);
+    for (const Curve& curve : boundary_.curves)
+      for (const int v : {curve.start, curve.end})
+        if (v != no_vertex) is_used[static_cast<std::size_t>(v)] = true;
+    std::vector<int> loose;
+    if (has_twins_) return loose;  // they would be told of again
+    for (std::size_t v = 0; v < is_used.size(); ++v)
+      if (!is_used[v]) loose.push_back(static_cast<int>(v));
+    return loose;
+  }
+
+  void check_loose_vertex(int v, std::size_t i) {
+    const Point p = boundary_.vertices[static_cast<std::size_t>(v)];
+    const std::array<Point, 2> stays{p, p};
+    const int nodes = static_cast<int>(spans_.nodes().size());
+    const auto contact = find_contact({stays, nodes, nodes + 1}, curve(i));
+    if (!contact || !told_.insert(v).second) return;  // once, where spans join
+    fault("/vertices/" + std::to_string(2 * v), describe_node(boundary_, spans_, v) + ", no curve's end, lies on " +
+                                                    at_parameter(i, contact->t) +
+                                                    ": divide the curve there, or leave the vertex out");
   }
 
   const BoundaryComplex& boundary_;
   BoundarySpans spans_;
-  std::vector<bool> is_regular_;
+  std::set<int> told_;            // loose vertices
+  bool has_twins_ = false;        // vertices at the same point
+  std::vector<bool> is_regular_;  // of each curve
+  std::vector<std::pair<std::array<int, 2>, Point>> contacts_;
   std::vector<Fault> faults_;
 };
 

@@ -6,7 +6,7 @@ namespace pliant {
 
 /// A breach of an invariant of the boundary complex or of the mesh.
 struct Fault {
-  std::string invariant;  ///< "M1" .. "M6", "boundary", "document"
+  std::string invariant;  ///< "M1" .. "M6", "boundary", "contact" (of curves, a boundary's fault too), "document"
   std::string place;      ///< a JSON pointer into the document, for example "/triangles/42"
   std::string text;       ///< what is wrong, and what would be right
 };

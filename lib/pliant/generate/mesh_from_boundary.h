@@ -20,7 +20,7 @@ struct GenerateOutcome {
 /// Delaunay), boundary edges curved, inner edges placed by optimal placement where elements are not valid, then split;
 /// every element is certified valid. Ears that cover a smooth or reflex corner of the boundary get an inner point
 /// (design: M3). No quality refinement: that is `refine`.
-/// Requires check_boundary and check_boundary_geometry to be empty.
+/// Requires check_boundary, check_boundary_geometry and check_boundary_sides to be empty.
 GenerateOutcome mesh_from_boundary(const BoundaryComplex& boundary, const GenerateOptions& options, Mesh& mesh);
 
 }  // namespace pliant
