@@ -2,8 +2,46 @@
 
 #include "pliant/geometry/predicates.h"
 #include "pliant/ops/flip_edge.h"
+#include "pliant/ops/smooth_edge.h"
 
 namespace pliant {
+namespace {
+
+constexpr double most_bend = 0.1;  // of an edge's length
+
+bool is_bent(const Mesh& mesh, HalfEdgeId h) {
+  const int p = mesh.degree();
+  const Point &a = mesh.point(mesh.origin(h)), &b = mesh.point(mesh.target(h));
+  const double most = most_bend * most_bend * squared_length(b - a);
+  for (int k = 1; k < p; ++k) {
+    const double w = static_cast<double>(k) / p;
+    if (squared_length(mesh.point(mesh.edge_point(h, k)) - ((1 - w) * a + w * b)) > most) return true;
+  }
+  return false;
+}
+
+/// Straightens the bent edges of both triangles at h; false if there were none.
+bool straighten_around(Mesh& mesh, HalfEdgeId h, const RefitOptions& refit) {
+  const HalfEdgeId g = mesh.twin(h);
+  thread_local std::vector<HalfEdgeId> edges;
+  edges.assign({h, next(h), previous(h), next(g), previous(g)});
+  return straighten_bent(mesh, edges, refit);
+}
+
+}  // namespace
+
+bool straighten_bent(Mesh& mesh, std::vector<HalfEdgeId>& edges, const RefitOptions& refit) {
+  std::erase_if(edges,
+                [&](HalfEdgeId h) { return mesh.is_constrained(h) || mesh.twin(h) == none || !is_bent(mesh, h); });
+  const std::size_t bent = edges.size();
+  for (std::size_t before = bent + 1; !edges.empty() && edges.size() < before;) {
+    before = edges.size();
+    std::erase_if(edges, [&](HalfEdgeId h) { return straighten_edge(mesh, h, 0, refit) == Refusal::done; });
+  }
+  const bool any = edges.size() < bent;
+  edges.clear();
+  return any;
+}
 
 EdgeState edge_state(const Mesh& mesh, HalfEdgeId h) {
   const HalfEdgeId g = mesh.twin(h);
@@ -29,13 +67,15 @@ void LegalizeCounts::refuse(Refusal reason) {
 }
 
 void legalize(Mesh& mesh, std::vector<HalfEdgeId>& stack, const RefitOptions& refit, LegalizeCounts& counts,
-              long max_flips, std::vector<TriangleId>* touched) {
+              long max_flips, std::vector<TriangleId>* touched, bool straightens) {
   while (!stack.empty()) {
     const HalfEdgeId h = stack.back();
     stack.pop_back();
     if (!mesh.is_alive(triangle_of(h)) || !wants_flip(edge_state(mesh, h))) continue;
     if (max_flips >= 0 && counts.flips >= max_flips) continue;
-    const Refusal refusal = flip_edge(mesh, h, refit);
+    Refusal refusal = flip_edge(mesh, h, refit);
+    if (straightens && refusal != Refusal::done && straighten_around(mesh, h, refit))
+      refusal = flip_edge(mesh, h, refit);
     if (refusal != Refusal::done) {
       counts.refuse(refusal);
       continue;
@@ -43,6 +83,7 @@ void legalize(Mesh& mesh, std::vector<HalfEdgeId>& stack, const RefitOptions& re
     ++counts.flips;
     const HalfEdgeId g = mesh.twin(h);
     for (const HalfEdgeId outer : {next(h), previous(h), next(g), previous(g)}) stack.push_back(outer);
+    if (straightens) straighten_around(mesh, h, refit);
     if (touched) {
       touched->push_back(triangle_of(h));
       touched->push_back(triangle_of(g));

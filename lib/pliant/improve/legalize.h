@@ -18,6 +18,11 @@ constexpr bool wants_flip(EdgeState state) {
 /// The state of an edge in the logical mesh, by exact predicates.
 EdgeState edge_state(const Mesh& mesh, HalfEdgeId h);
 
+/// Makes the bent ones of these inner edges straight, where the elements stay valid; one that its neighbours' bends
+/// keep from it is tried again after them. Empties the list; true if it changed any. Bent: a control point is off its
+/// straight place by more than a tenth of the edge's length.
+bool straighten_bent(Mesh& mesh, std::vector<HalfEdgeId>& edges, const RefitOptions& refit);
+
 struct LegalizeCounts {
   long flips = 0;
   std::vector<std::pair<Refusal, long>> refusals;
@@ -26,8 +31,9 @@ struct LegalizeCounts {
 /// Flips the edges on the stack, and what their flips disturb, until all are locally Delaunay or refused. Empties the
 /// stack. Terminates: a Delaunay flip lowers the lifted volume strictly and leaves positive triangles, a flip of what
 /// is turned over lowers the number of triangles that are not positive. `touched`, if given, receives the triangles of
-/// every flip.
+/// every flip. With `straightens`, bent edges are made straight after every flip, and before one that was refused is
+/// tried once more: elements far from their logical triangles are what keeps a new mesh from being Delaunay.
 void legalize(Mesh& mesh, std::vector<HalfEdgeId>& stack, const RefitOptions& refit, LegalizeCounts& counts,
-              long max_flips = -1, std::vector<TriangleId>* touched = nullptr);
+              long max_flips = -1, std::vector<TriangleId>* touched = nullptr, bool straightens = false);
 
 }  // namespace pliant

@@ -6,14 +6,16 @@
 #include <map>
 #include <numbers>
 #include <optional>
+#include <utility>
 #include <vector>
 
-#include "pliant/geometry/jacobian.h"
 #include "pliant/geometry/linear_triangle.h"
 #include "pliant/geometry/predicates.h"
 #include "pliant/geometry/protective_lens.h"
-#include "pliant/geometry/turning_angle.h"
+#include "pliant/improve/feature_sizes.h"
 #include "pliant/improve/legalize.h"
+#include "pliant/improve/refine_attack.h"
+#include "pliant/improve/sharp_corners.h"
 #include "pliant/mesh/locate.h"
 #include "pliant/mesh/star.h"
 #include "pliant/ops/insert_point.h"
@@ -21,99 +23,32 @@
 namespace pliant {
 namespace {
 
-constexpr int max_failures = 2;         // of one triangle's circumcentre
+constexpr int failure = 20;             // counts as many splits that did not help
+constexpr int max_failures = 40;        // of one triangle
 constexpr double default_floor = 1e-9;  // of the mesh's size: least distance of two vertices
-constexpr double rounding_slack = 0.999;
-constexpr double size_slack = 1.5;  // a longest edge of this many wanted lengths is too long
+constexpr double least_of_root = 0.25;  // no edge shorter than this part of the feature that it comes from
+constexpr double near_edge = 1e-3;      // of the distance to the nearest corner
+constexpr double off_center = 0.95;     // of the distance at which the triangle would be just good enough
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-struct Attack {
-  const char* reason = nullptr;
-  double excess = 0;       // how far beyond its bound: worst first
-  HalfEdgeId edge = none;  // too curved: the edge to split
-  bool is_poor = false;
-};
-
-double edge_turning(const Mesh& mesh, HalfEdgeId h) {
-  std::array<Point, max_degree + 1> polygon;
-  mesh.gather_edge_points(h, polygon);
-  return turning_angle({polygon.data(), at(mesh.degree() + 1)});
-}
-
-Attack attack_on(const Mesh& mesh, TriangleId t, const QualityGoals& goals) {
-  const Point &a = mesh.point(mesh.corner(t, 0)), &b = mesh.point(mesh.corner(t, 1)),
-              &c = mesh.point(mesh.corner(t, 2));
-  Attack attack;
-  if (goals.max_turning < HUGE_VAL && mesh.degree() > 1)
-    for (int e = 0; e < 3; ++e) {
-      // Only what lies on a curve: inner edges are for smoothing.
-      const HalfEdgeId h = half_edge(t, e);
-      if (!mesh.is_constrained(h)) continue;
-      const double ratio = edge_turning(mesh, h) / goals.max_turning;
-      if (ratio > 1 && ratio > attack.excess) attack = {"too curved", ratio, h, false};
-    }
-  if (attack.reason) return attack;
-  const double bound = goals.area_bound(mesh.face(t));
-  if (bound < HUGE_VAL) {
-    std::array<Point, net_size(max_degree)> net;
-    mesh.gather_points(t, net);
-    const double ratio = element_area(mesh.degree(), {net.data(), at(mesh.net_size())}) / bound;
-    if (ratio > 1) return {"too large", ratio, none, false};
-  }
-  if (goals.size) {
-    const double wanted = goals.size((1.0 / 3) * (a + b + c), mesh.time);
-    const double longest = std::sqrt(std::max({squared_length(b - a), squared_length(c - b), squared_length(a - c)}));
-    if (wanted > 0 && longest > size_slack * wanted) return {"too large", longest / (size_slack * wanted), none, false};
-  }
-  if (goals.min_angle > 0) {
-    const double limit = 1 / (2 * std::sin(goals.min_angle * std::numbers::pi / 180));
-    const double ratio = radius_edge_ratio(a, b, c);
-    if (ratio > limit) return {"too poor", ratio / limit, none, true};
-  }
-  return {};
-}
-
-struct Entry {
-  TriangleId triangle;
-  std::array<PointId, 3> corners;  // as queued: the slot may have become another triangle
-};
-
-/// Worst first, to a sixteenth of a power of two; of those the one queued last, which keeps the work in one place.
-class AttackQueue {
- public:
-  void push(double excess, const Entry& entry) {
-    const double place = 16 * std::log2(excess);
-    const auto bucket = static_cast<std::size_t>(std::clamp(place, 0.0, double(buckets_.size() - 1)));
-    buckets_[bucket].push_back(entry);
-    top_ = std::max(top_, bucket);
-  }
-  std::optional<Entry> pop() {
-    while (buckets_[top_].empty()) {
-      if (top_ == 0) return std::nullopt;
-      --top_;
-    }
-    const Entry entry = buckets_[top_].back();
-    buckets_[top_].pop_back();
-    return entry;
-  }
-
- private:
-  std::array<std::vector<Entry>, 1024> buckets_;
-  std::size_t top_ = 0;
-};
-
 class Refiner {
  public:
-  Refiner(Mesh& mesh, const RefineOptions& options) : mesh_(mesh), options_(options), locator_(mesh) {
+  Refiner(Mesh& mesh, const RefineOptions& options)
+      : mesh_(mesh), options_(options), locator_(mesh), corners_(mesh), roots_(mesh) {
     floor_ = std::max(options.goals.min_size, default_floor * mesh.size());
+    most_ratio_ = 1 / (2 * std::sin(options.goals.min_angle * std::numbers::pi / 180));
   }
 
   PassReport run() {
     for (TriangleId t = 0; t < mesh_.triangle_slots(); ++t) enqueue(t);
     while (insertions_ + splits_ < options_.max_insertions) {
-      const std::optional<Entry> entry = queue_.pop();
-      if (!entry) break;
+      std::optional<AttackEntry> entry = queue_.pop();
+      if (!entry) {
+        if (failed_.empty()) break;
+        for (const TriangleId t : std::exchange(failed_, {})) enqueue(t);  // once more, now that all else is done
+        continue;
+      }
       const auto& [t, corners] = *entry;
       if (!mesh_.is_alive(t) || corners_of(t) != corners) continue;
       const Attack attack = attack_on(mesh_, t, options_.goals);
@@ -134,49 +69,75 @@ class Refiner {
   }
 
   void treat(TriangleId t, const Attack& attack) {
+    least_edge_ = root_ = 0;
     if (attack.edge != none) {
-      least_edge_ = 0;
-      if (!split(attack.edge, 0.5)) give_up("too curved: no room to split");
+      if (!split(attack.edge)) give_up("too curved: no room to split");
       return;
     }
-    const Point a = mesh_.point(mesh_.corner(t, 0)), b = mesh_.point(mesh_.corner(t, 1)),
-                c = mesh_.point(mesh_.corner(t, 2));
-    const double shortest = std::sqrt(std::min({squared_length(b - a), squared_length(c - b), squared_length(a - c)}));
-    if (shortest <= 2 * floor_) return give_up("at the least size");
+    const HalfEdgeId shortest = shortest_edge(t);
+    const PointId p = mesh_.origin(shortest), q = mesh_.target(shortest);
+    if (distance(mesh_.point(p), mesh_.point(q)) <= 2 * floor_) return give_up("at the least size");
+    if (attack.is_poor && !corners_.empty()) {
+      const double longest =
+          std::sqrt(std::max({squared(shortest), squared(next(shortest)), squared(previous(shortest))}));
+      if (corners_.is_along_shell(mesh_, shortest, longest)) return give_up("opposite a small angle");
+    }
     const auto corners = corners_of(t);
     const auto failures = failures_.find(corners);
     if (failures != failures_.end() && failures->second >= max_failures) {
-      least_edge_ = 0;
       if (!attack.is_poor && split_longest(t)) return;  // what is too large can always be divided
       return give_up("circumcentre refused");
     }
-    // Mending a shape must not make edges shorter than the triangle's own shortest: with the bounds on angles that can
-    // be kept this is what holds anyway (Ruppert); where curved edges spoil that, it is what ends the refinement.
-    least_edge_ = attack.is_poor ? shortest : 0;
-    if (!insert_circumcenter(t, circumcenter(a, b, c))) {
-      ++failures_[corners];
-      enqueue(t);  // once more, after whatever the failure has changed; then it is given up
+    // Mending a shape must not make edges much shorter than the features that the triangle's corners come from: with
+    // the bounds on angles that can be kept this is what holds anyway (Ruppert); where curved edges or small angles
+    // spoil that, it is what ends the refinement.
+    if (attack.is_poor) {
+      root_ = std::min(roots_.of(p), roots_.of(q));
+      least_edge_ = least_of_root * root_;
+    }
+    if (!insert_into(t, shortest, attack.is_poor)) {
+      failures_[corners] += failure;
+      failed_.push_back(t);
     } else if (mesh_.is_alive(t) && corners_of(t) == corners) {
+      if (attack.is_poor) ++failures_[corners];
       enqueue(t);
     }
   }
 
+  /// Inserts the off-centre of a poor triangle, which makes its shortest edge's new triangle just good enough (Üngör),
+  /// or where that is refused the circumcentre, as into all others.
+  bool insert_into(TriangleId t, HalfEdgeId shortest, bool is_poor) {
+    const Point &a = mesh_.point(mesh_.origin(shortest)), &b = mesh_.point(mesh_.target(shortest)),
+                &c = mesh_.point(mesh_.apex(shortest));
+    const Point center = circumcenter(a, b, c);
+    if (!is_finite(center)) return split_longest(t);
+    if (is_poor) {
+      const Point middle = (a + b) / 2;
+      const double height = off_center * (most_ratio_ + std::sqrt(most_ratio_ * most_ratio_ - 0.25)) * distance(a, b);
+      const Vector up = center - middle;
+      const double far = length(up);
+      if (far > height && insert_or_split(t, middle + (height / far) * up)) return true;
+    }
+    return insert_or_split(t, center);
+  }
+
   /// Inserts p, or splits the constrained edge that stands between t and p or whose lens p enters.
-  bool insert_circumcenter(TriangleId t, const Point& p) {
-    if (!is_finite(p)) return split_longest(t);
+  bool insert_or_split(TriangleId t, const Point& p) {
     const HalfEdgeId wall = walk_to(t, p);
-    if (wall != none) return split(wall, 0.5);
+    // An empty circumcircle whose centre lies beyond a wall bounds how short that is; where flips were refused it may
+    // not be empty.
+    if (wall != none) return 2 * std::sqrt(squared(wall)) >= distance_from(wall, t) && split(wall);
     const HalfEdgeId encroached = find_encroached(reached_, p);
-    if (encroached != none) return split(encroached, 0.5);
+    if (encroached != none) return split(encroached);
     const auto location = locator_.walk(p, reached_);
     if (!location) return false;
     const TriangleId k = location->triangle;
-    for (int c = 0; c < 3; ++c)
-      if (distance(mesh_.point(mesh_.corner(k, c)), p) < std::max(floor_, least_edge_ * rounding_slack)) return false;
+    double nearest = HUGE_VAL;
+    for (int c = 0; c < 3; ++c) nearest = std::min(nearest, distance(mesh_.point(mesh_.corner(k, c)), p));
+    if (nearest < std::max(floor_, least_edge_)) return false;
     const FaceId wanted = mesh_.face(t);
     if (mesh_.face(k) != wanted) return false;
-    // Near an edge of the element the edge itself is split: slivers would not flip away at a curve.
-    const InsertResult inserted = insert_point(mesh_, k, location->xi, 1e-3);
+    const InsertResult inserted = insert_point(mesh_, k, location->xi, edge_tolerance(k, location->xi, nearest));
     if (inserted.refusal != Refusal::done) {
       ++refusals_[describe(inserted.refusal)];
       return false;
@@ -186,21 +147,51 @@ class Refiner {
     return true;
   }
 
-  bool split_longest(TriangleId t) {
-    HalfEdgeId longest = half_edge(t, 0);
-    const auto squared = [&](HalfEdgeId h) {
-      return squared_length(mesh_.point(mesh_.target(h)) - mesh_.point(mesh_.origin(h)));
-    };
-    for (int e = 1; e < 3; ++e)
-      if (squared(half_edge(t, e)) > squared(longest)) longest = half_edge(t, e);
-    return split(longest, 0.5);
+  /// Near an edge of the element, compared with the nearest corner, the edge itself is split: slivers would not flip
+  /// away at a curve.
+  double edge_tolerance(TriangleId k, const Barycentric& xi, double nearest) const {
+    const auto c = static_cast<int>(std::min_element(xi.begin(), xi.end()) - xi.begin());
+    const double least = std::max(0.0, xi[at(c)]);
+    const Point &a = mesh_.point(mesh_.corner(k, c)), &b = mesh_.point(mesh_.corner(k, (c + 1) % 3)),
+                &d = mesh_.point(mesh_.corner(k, (c + 2) % 3));
+    const double height = std::fabs(cross(b - a, d - a)) / distance(b, d);
+    return least * height < near_edge * nearest ? std::nextafter(least, 1.0) : std::min(least, near_edge);
   }
 
-  bool split(HalfEdgeId h, double s) {
-    const double half = distance(mesh_.point(mesh_.origin(h)), mesh_.point(mesh_.target(h))) / 2;
-    if (half <= floor_ || half < least_edge_ * rounding_slack) return false;
+  /// From the chord of an edge to the nearest corner of a triangle.
+  double distance_from(HalfEdgeId h, TriangleId t) const {
+    const Point& a = mesh_.point(mesh_.origin(h));
+    const Vector along = mesh_.point(mesh_.target(h)) - a;
+    double least = HUGE_VAL;
+    for (int c = 0; c < 3; ++c) {
+      const Vector off = mesh_.point(mesh_.corner(t, c)) - a;
+      const double s = std::clamp(dot(off, along) / squared_length(along), 0.0, 1.0);
+      least = std::min(least, squared_length(off - s * along));
+    }
+    return std::sqrt(least);
+  }
+
+  double squared(HalfEdgeId h) const {
+    return squared_length(mesh_.point(mesh_.target(h)) - mesh_.point(mesh_.origin(h)));
+  }
+  HalfEdgeId shortest_edge(TriangleId t) const {
+    HalfEdgeId shortest = half_edge(t, 0);
+    for (int e = 1; e < 3; ++e)
+      if (squared(half_edge(t, e)) < squared(shortest)) shortest = half_edge(t, e);
+    return shortest;
+  }
+  bool split_longest(TriangleId t) {
+    HalfEdgeId longest = half_edge(t, 0);
+    for (int e = 1; e < 3; ++e)
+      if (squared(half_edge(t, e)) > squared(longest)) longest = half_edge(t, e);
+    return split(longest);
+  }
+
+  bool split(HalfEdgeId h) {
+    const double half = std::sqrt(squared(h)) / 2;
+    if (half <= floor_ || half < least_edge_) return false;
     const bool on_curve = mesh_.is_constrained(h);
-    const InsertResult result = split_edge(mesh_, h, s);
+    const InsertResult result = split_edge(mesh_, h, on_curve ? corners_.split_parameter(mesh_, h) : 0.5);
     if (result.refusal != Refusal::done) {
       ++refusals_[describe(result.refusal)];
       return false;
@@ -208,6 +199,13 @@ class Refiner {
     ++(on_curve ? splits_ : insertions_);
     settle(result.vertex);
     return true;
+  }
+
+  /// Subdivision bends the edges to a new vertex where an element's parameters run unevenly along a curve. The
+  /// triangles that they bound would be far from their logical ones, on which all decisions rest.
+  void straighten_spokes() {
+    bent_ = star_.outgoing;
+    straighten_bent(mesh_, bent_, options_.refit);
   }
 
   /// Restores the Delaunay property around a new vertex, then queues what changed.
@@ -218,7 +216,9 @@ class Refiner {
       stack_.push_back(next(h));
       touched_.push_back(triangle_of(h));
     }
-    legalize(mesh_, stack_, options_.refit, counts_, -1, &touched_);
+    roots_.set(mesh_, star_, root_, corners_);
+    straighten_spokes();
+    legalize(mesh_, stack_, options_.refit, counts_, -1, &touched_, true);
     std::sort(touched_.begin(), touched_.end());
     touched_.erase(std::unique(touched_.begin(), touched_.end()), touched_.end());
     for (const TriangleId t : touched_) enqueue(t);
@@ -295,15 +295,18 @@ class Refiner {
   Mesh& mesh_;
   const RefineOptions& options_;
   Locator locator_;
-  double floor_ = 0;
-  double least_edge_ = 0;  // no new edge may be shorter, while a poor triangle is treated
+  SharpCorners corners_;
+  double floor_ = 0, most_ratio_ = 0;
+  double root_ = 0, least_edge_ = 0;  // no new edge may be shorter, while a poor triangle is treated
+  FeatureSizes roots_;
   AttackQueue queue_;
   std::map<std::array<PointId, 3>, int> failures_;
+  std::vector<TriangleId> failed_;  // to be tried once more
   std::map<std::string, long> given_up_, refusals_;
   LegalizeCounts counts_;
   long insertions_ = 0, splits_ = 0;
   Star star_;
-  std::vector<HalfEdgeId> stack_;
+  std::vector<HalfEdgeId> stack_, bent_;
   std::vector<TriangleId> touched_, cavity_;
   TriangleId reached_ = none;
 };

@@ -1,0 +1,57 @@
+#include "pliant/improve/refine_attack.h"
+
+#include <numbers>
+
+#include "pliant/geometry/jacobian.h"
+#include "pliant/geometry/linear_triangle.h"
+#include "pliant/geometry/turning_angle.h"
+
+namespace pliant {
+namespace {
+
+constexpr double size_slack = 1.5;  // a longest edge of this many wanted lengths is too long
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+double edge_turning(const Mesh& mesh, HalfEdgeId h) {
+  std::array<Point, max_degree + 1> polygon;
+  mesh.gather_edge_points(h, polygon);
+  return turning_angle({polygon.data(), at(mesh.degree() + 1)});
+}
+
+}  // namespace
+
+Attack attack_on(const Mesh& mesh, TriangleId t, const QualityGoals& goals) {
+  const Point &a = mesh.point(mesh.corner(t, 0)), &b = mesh.point(mesh.corner(t, 1)),
+              &c = mesh.point(mesh.corner(t, 2));
+  Attack attack;
+  if (goals.max_turning < HUGE_VAL && mesh.degree() > 1)
+    for (int e = 0; e < 3; ++e) {
+      // Only what lies on a curve: inner edges are for smoothing.
+      const HalfEdgeId h = half_edge(t, e);
+      if (!mesh.is_constrained(h)) continue;
+      const double ratio = edge_turning(mesh, h) / goals.max_turning;
+      if (ratio > 1 && ratio > attack.excess) attack = {"too curved", ratio, h, false};
+    }
+  if (attack.reason) return attack;
+  const double bound = goals.area_bound(mesh.face(t));
+  if (bound < HUGE_VAL) {
+    std::array<Point, net_size(max_degree)> net;
+    mesh.gather_points(t, net);
+    const double ratio = element_area(mesh.degree(), {net.data(), at(mesh.net_size())}) / bound;
+    if (ratio > 1) return {"too large", ratio, none, false};
+  }
+  if (goals.size) {
+    const double wanted = goals.size((1.0 / 3) * (a + b + c), mesh.time);
+    const double longest = std::sqrt(std::max({squared_length(b - a), squared_length(c - b), squared_length(a - c)}));
+    if (wanted > 0 && longest > size_slack * wanted) return {"too large", longest / (size_slack * wanted), none, false};
+  }
+  if (goals.min_angle > 0) {
+    const double limit = 1 / (2 * std::sin(goals.min_angle * std::numbers::pi / 180));
+    const double ratio = radius_edge_ratio(a, b, c);
+    if (ratio > limit) return {"too poor", ratio / limit, none, true};
+  }
+  return {};
+}
+
+}  // namespace pliant
