@@ -320,6 +320,38 @@ TEST_CASE("loops that do not close are named", "[boundary]") {
   CHECK_THAT(first_text(a.faults), Catch::Contains("'open' do not close at (0, 0)"));
 }
 
+TEST_CASE("sides that cross next to their tip part there", "[boundary]") {
+  // y = x^2 - slope x crosses y = 0 at x = slope, and what lies between them there has an area of slope^3 / 6.
+  const double slope = GENERATE(1, 3) * std::pow(10.0, GENERATE(range(-11, -2)));
+  CAPTURE(slope);
+  const std::vector<FilledFace> faces{
+      filled("horn", {bezier({{0, 0}, {0.5, 0}, {1, 0}}), bezier({{1, 0}, {1, 0.5}, {1, 1 - slope}}),
+                      bezier({{1, 1 - slope}, {0.5, -slope / 2}, {0, 0}})})};
+  const Arrangement a = arrange(faces);
+  check_arranged(faces, a);
+  CHECK(std::fabs(area_of(a.boundary, 0) - (1.0 / 3 - slope / 2)) < 1e-10 + slope * slope * slope / 3);
+}
+
+TEST_CASE("what turns in no room becomes a corner", "[boundary]") {
+  const double width = std::pow(10.0, GENERATE(range(-8, -1)));
+  CAPTURE(width);
+  const std::vector<FilledFace> faces{
+      filled("hair", {bezier({{0, 0}, {2, 0}, {0, width}}), bezier({{0, width}, {0, width / 2}, {0, 0}})})};
+  const Arrangement a = arrange(faces);
+  check_arranged(faces, a);
+  CHECK(std::fabs(area_of(a.boundary, 0) - faces[0].curves[0].area()) < 1e-8);  // both sides move by the tip's width
+  if (width < 1e-5) CHECK(a.boundary.vertices.size() == 3);                     // two, and that at the tip
+  if (width > 1e-3) CHECK(a.boundary.vertices.size() == 2);
+}
+
+TEST_CASE("where a cubic stops there is a corner", "[boundary]") {
+  const std::vector<FilledFace> faces{
+      filled("cusp", {bezier({{0, 0}, {1, 1}, {0, 1}, {1, 0}}), bezier({{1, 0}, {0.7, 0}, {0.3, 0}, {0, 0}})})};
+  const Arrangement a = arrange(faces);
+  check_arranged(faces, a);
+  CHECK(area_of(a.boundary, 0) == Approx(std::fabs(faces[0].curves[0].area())).epsilon(1e-9));
+}
+
 TEST_CASE("small whole numbers as control points: coincidences everywhere", "[boundary][property]") {
   const int degree = GENERATE(1, 2, 3);
   int refused = 0;
@@ -336,12 +368,12 @@ TEST_CASE("small whole numbers as control points: coincidences everywhere", "[bo
     }
     const Arrangement a = arrange(faces);
     CAPTURE(degree, run, first_text(a.faults));
-    // Cubic splines over folded control polygons have cusps where the curve stops: no mesh can follow it there.
+    // Cubic splines over folded control polygons stop in cusps; where others end or pass there, not all can be told.
     if (degree == 3 && !a.faults.empty()) {
       ++refused;
       continue;
     }
     check_arranged(faces, a, 100);
   }
-  CHECK(refused <= 25);
+  CHECK(refused <= 5);
 }

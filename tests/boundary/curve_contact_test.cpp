@@ -92,6 +92,15 @@ TEST_CASE("curves that leave a common end in the same direction turn back", "[bo
   CHECK(found->node == 7);
 }
 
+TEST_CASE("a long line and a short arc that ends tangent to it do not meet elsewhere", "[boundary]") {
+  const Curve line{{301.33659, -504.93182}, {342.31228000000004, -504.93182}};
+  const Curve arc{{340.7043401394884, -504.93318453469453},
+                  {341.4835058445234, -504.9318200000001},
+                  {342.31228000000004, -504.93182}};
+  const auto found = contact(line, arc, 0, 1, 2, 1);
+  CHECK((!found || found->kind == Contact::Kind::turns_back));
+}
+
 TEST_CASE("loops, cusps and stops of a single curve are found, bends are none", "[boundary]") {
   CHECK_FALSE(meets_itself({{0, 0}, {1, 2}, {2, 0}}));
   const auto loop = find_self_contact({Curve{{0, 0}, {3, 2}, {-2, 2}, {1, 0}}, 0, 1});

@@ -14,8 +14,9 @@
 namespace pliant {
 namespace {
 
-constexpr int most_attempts = 3;
-constexpr double wider = 16;  // the tolerance of the next attempt
+constexpr double wider = 16;         // the tolerance of the next attempt
+constexpr double coarsest = 1e-6;    // that is tried, of the size
+constexpr double tip_length = 4e-9;  // of the size: spans of a mesh are not shorter than a quarter of it
 
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
@@ -27,9 +28,10 @@ struct Painting {
   std::deque<BSpline> splines;  ///< what `curves` point to
   std::vector<SidedCurve> curves;
   std::vector<Curve> sources;  ///< of each curve: name and other members, no spline
+  double tip = 0;              ///< length of what turns so sharply that it becomes a corner
 
   void add_curve(const BSpline& spline, const Winding& jump, const Curve& source) {
-    for (BSpline& part : split_at_stops(spline)) {
+    for (BSpline& part : split_at_stops(spline, tip)) {
       splines.push_back(std::move(part));
       curves.push_back({&splines.back(), jump});
       sources.push_back(source);
@@ -42,6 +44,10 @@ struct Painting {
     return outside;
   }
 };
+
+void extend(Box& box, const BSpline& spline) {
+  for (const Point& p : spline.points()) box.extend(p);
+}
 
 Fault inconsistent_at(const Point& p) {
   return {"boundary", "/curves",
@@ -124,11 +130,14 @@ Arrangement solve(const Painting& painting, ArrangeOptions options) {
   result.faults = size_fault(painting);
   if (!result.faults.empty()) return result;
   result = attempt(painting, options);
-  for (int n = 1; n < most_attempts && !result.faults.empty(); ++n) {
+  result.tolerance = options.tolerance;
+  while (!result.faults.empty() && options.tolerance * wider <= coarsest) {
     options.tolerance *= wider;
     options.sliver = std::max(options.sliver, 4 * options.tolerance);
     Arrangement next = attempt(painting, options);
-    if (next.faults.empty()) return next;
+    if (!next.faults.empty()) continue;
+    next.tolerance = options.tolerance;
+    return next;
   }
   return result;
 }
@@ -156,6 +165,10 @@ std::vector<Fault> open_loops(std::span<const FilledFace> faces) {
 
 Arrangement arrange(std::span<const FilledFace> faces, const ArrangeOptions& options) {
   Painting painting;
+  Box box;
+  for (const FilledFace& face : faces)
+    for (const BSpline& spline : face.curves) extend(box, spline);
+  painting.tip = tip_length * box.size();
   for (const FilledFace& face : faces) {
     const int f = static_cast<int>(painting.faces.size());
     painting.faces.push_back({face.name, face.extra});
@@ -174,6 +187,7 @@ Arrangement resolve(const BoundaryComplex& boundary, const ArrangeOptions& optio
   painting.vertices = boundary.vertices;
   painting.faces = boundary.faces;
   painting.rules.assign(boundary.faces.size(), FillRule::nonzero);
+  painting.tip = tip_length * bounding_box(boundary).size();
   for (const Curve& curve : boundary.curves) {
     Winding jump;
     if (curve.left != outside) add_winding(jump, {{curve.left, 1}});

@@ -22,7 +22,7 @@ struct FilledFace {
 
 /// Both are relative to the size of the input, the diagonal of the box of its control points.
 struct ArrangeOptions {
-  double tolerance = 1e-11;  ///< what is closer touches, or coincides
+  double tolerance = 1e-11;  ///< what is closer touches, or coincides; made coarser, up to 1e-6, where it must be
   double sliver = 1e-9;      ///< two pieces between the same two vertices, nowhere farther apart, become one
 };
 
@@ -34,6 +34,7 @@ struct Arrangement {
   long pieces = 0;              ///< between them, each counted once
   long regions = 0;             ///< bounded regions of the plane between the pieces
   long slivers = 0;             ///< pieces merged with another that was not within the tolerance
+  double tolerance = 0;         ///< that it took: the one that was asked for, or a coarser one
   std::vector<Fault> faults{};  ///< why the boundary must not be used; empty if all is well
 };
 

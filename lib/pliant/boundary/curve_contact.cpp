@@ -10,11 +10,12 @@
 namespace pliant {
 namespace {
 
-constexpr double least_margin = 1e-13;  // of the pair's size: above the rounding of subdivision
-constexpr double least_piece = 1e-11;   // of the pair's size: smaller pieces that are not apart meet
-constexpr int deepest_corner = 30;      // halvings towards a common end
-constexpr int deepest_self = 40;        // halvings towards a place where a curve stops
-constexpr long most_tests = 2'000'000;  // of one pair; curves that need more are as good as in contact
+constexpr double least_margin = 1e-13;   // of the pair's size: above the rounding of subdivision
+constexpr double least_piece = 1e-11;    // of the pair's size: smaller pieces that are not apart meet
+constexpr double least_corner = 1e-9;    // of the shorter one: a common end is not looked at any closer
+constexpr double blurred_corner = 1e-7;  // and so near to it what is within the margin may be that of a tangent
+constexpr int deepest_self = 40;         // halvings towards a place where a curve stops
+constexpr long most_tests = 2'000'000;   // of one pair; curves that need more are as good as in contact
 
 /// A part of one of the two curves.
 struct Piece {
@@ -124,22 +125,32 @@ class Search {
     return std::nullopt;
   }
 
-  /// Both start in the same point; coordinates relative to it keep their relative precision all the way down.
+  /// Both start in the same point; coordinates relative to it keep their relative precision all the way down. The
+  /// longer one is halved, or both: what a margin is of the longer may be much of the shorter.
   std::optional<Contact> from_common_end(Piece a, Piece b) {
     const Point origin = a.at(0);
     shift(a, origin);
     shift(b, origin);
-    for (int depth = 0; depth < deepest_corner; ++depth) {
+    const double whole_extent = std::min(extent(a), extent(b));
+    for (;;) {
       if (cones_apart(a.polygon(), b.polygon(), least_margin)) return std::nullopt;
+      const double extent_a = extent(a), extent_b = extent(b), near = std::max(extent_a, extent_b);
+      if (near < least_corner * whole_extent) break;
+      const bool cut_a = extent_a >= extent_b / 2, cut_b = extent_b >= extent_a / 2;
       const auto [a1, a2] = halves(a);
       const auto [b1, b2] = halves(b);
-      for (const auto& [i, j] : {std::pair(&a2, &b2), std::pair(&a1, &b2), std::pair(&a2, &b1)})
-        if (auto found = apart(*i, *j)) {
-          found->place += origin;
-          return found;
-        }
-      a = a1;
-      b = b1;
+      const Piece &near_a = cut_a ? a1 : a, &near_b = cut_b ? b1 : b;
+      std::optional<Contact> found;
+      if (cut_a && cut_b) found = apart(a2, b2);
+      if (!found && cut_b) found = apart(near_a, b2);
+      if (!found && cut_a) found = apart(a2, near_b);
+      if (found) {
+        if (near < blurred_corner * whole_extent) break;
+        found->place += origin;
+        return found;
+      }
+      a = near_a;
+      b = near_b;
     }
     return Contact{Contact::Kind::turns_back, a.from, b.from, origin, a.from_node};
   }

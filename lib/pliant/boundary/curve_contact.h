@@ -25,7 +25,8 @@ struct Contact {
 };
 
 /// The first contact found of two curves, by subdivision with separating lines. Curves that meet in a common node with
-/// tangent angle 0 are compared down to 1e-9 of their length; if nothing else is found, that is `turns_back`.
+/// tangent angle 0 are compared down to 1e-7 of the shorter one's length, or 1e-9 where the margin allows; if nothing
+/// else is found, that is `turns_back`.
 std::optional<Contact> find_contact(const ContactCurve& a, const ContactCurve& b);
 
 /// The same of one curve with itself; a parameter where the derivative vanishes counts as turns_back with node -1.

@@ -13,7 +13,9 @@ namespace {
 
 constexpr double corner_tolerance = 1e-10;  // of the distance from a common end
 constexpr double corner_margin = 1e-13;     // radians
-constexpr double least_corner = 1e4;        // tolerances: a cusp's sides are not compared any closer to its tip
+constexpr double blurred_corner = 1e4;      // tolerances: closer to a cusp's tip its sides may cross, but not coincide
+constexpr double least_corner = 16;         // tolerances: and are not compared any closer to it
+constexpr double crossing_tolerance = 1e-14;  // of the distance from the tip, where they may cross
 constexpr int most_pairs = 4000;
 constexpr double least_gain = 0.8;  // clipping that leaves more than this is followed by halving
 constexpr int newton_steps = 12;
@@ -212,10 +214,13 @@ class MeetingSearch {
   void meet(const Part& a, const Part& b) {
     if (hulls_apart(a.polygon(), b.polygon(), tolerance_)) return;
     const double extent_a = a.extent(), extent_b = b.extent();
-    if ((extent_a <= tolerance_ && extent_b <= tolerance_) || ++pairs_ > most_pairs) return report(a, 0.5, b, 0.5);
+    if ((extent_a <= tolerance_ && extent_b <= tolerance_) || ++pairs_ > most_pairs) {
+      if (!crossings_only_) report(a, 0.5, b, 0.5);
+      return;
+    }
     if (is_transversal(a, b)) {
       if (refine(a, b)) return;
-    } else if (coincide(a, b)) {
+    } else if (!crossings_only_ && coincide(a, b)) {
       return;
     }
     if (extent_a >= extent_b)
@@ -256,13 +261,17 @@ class MeetingSearch {
     const Point origin = a.at(0);
     for (Part* part : {&a, &b})
       for (Point& p : part->points) p -= origin;
-    const double least = least_corner * tolerance;
     for (;;) {
       if (cones_apart(a.polygon(), b.polygon(), corner_margin)) break;
       const double extent_a = a.extent(), extent_b = b.extent();
       const double extent_both = std::min(extent_a, extent_b);
-      tolerance_ = std::min(tolerance, corner_tolerance * extent_both);
-      if (!(extent_both > least) || coincide(a, b)) break;
+      if (!(extent_both > least_corner * tolerance)) break;
+      if (!crossings_only_ && !(extent_both > blurred_corner * tolerance)) {
+        crossings_only_ = true;
+        pairs_ = 0;
+      }
+      tolerance_ = std::min(tolerance, (crossings_only_ ? crossing_tolerance : corner_tolerance) * extent_both);
+      if (!crossings_only_ && coincide(a, b)) break;
       const bool cut_a = extent_a >= extent_b / 2, cut_b = extent_b >= extent_a / 2;
       const Part near_a = cut_a ? a.part(0, 0.5) : a, near_b = cut_b ? b.part(0, 0.5) : b;
       if (cut_b) meet(near_a, b.part(0.5, 1));
@@ -272,10 +281,12 @@ class MeetingSearch {
       b = near_b;
     }
     tolerance_ = tolerance;
+    crossings_only_ = false;
   }
 
   double tolerance_ = 0;
   int pairs_ = 0;
+  bool crossings_only_ = false;  // so near to a cusp's tip what is close or undecided is no meeting
 };
 
 /// Appends the roots in (from, to) of the polynomial with these Bernstein coefficients on it; destroys them.
