@@ -14,6 +14,7 @@
 #include "pliant/improve/share_bends.h"
 #include "pliant/improve/straighten_edges.h"
 #include "pliant/mesh/check_mesh.h"
+#include "progress_line.h"
 
 namespace {
 
@@ -54,11 +55,13 @@ void require_boundary(const BoundaryComplex& boundary) {
 void refine_to(Mesh& mesh, const CriteriaOptions& criteria, PassReport& report) {
   RefineOptions options;
   options.goals = criteria.goals(mesh, compile_size);
+  options.progress = start_refinement(mesh, options.goals);
   if (!mesh.criteria.min_angle) mesh.criteria.min_angle = options.goals.min_angle;
   PassReport refined = refine(mesh, options);
   report.values.insert(report.values.end(), refined.values.begin(), refined.values.end());
   for (const auto& [reason, times] : refined.refusals) report.refuse(reason, times);
   report.notes.insert(report.notes.end(), refined.notes.begin(), refined.notes.end());
+  if (ProgressLine* line = ProgressLine::shown()) line->stage("straighten");
   const StraightenCounts edges = straighten_edges(mesh);
   report.add("edges_straightened", static_cast<double>(edges.straightened));
   report.add("edges_left_curved", static_cast<double>(edges.left));
@@ -97,16 +100,20 @@ int main(int argc, char** argv) {
     fields.check();
     OutputFile output(options.output);
     FrameReports reports(options);
+    ProgressLine line(options);
+    generate.progress = line.counters();
     Stopwatch watch;
     std::string text;
     for_each_boundary(options, [&](BoundaryComplex&& boundary, const Frame& frame) {
       const double read = watch.lap();
+      line.stage(resolves ? "resolve" : "check");
       PassReport resolved;
       if (resolves)
         resolve_crossings(boundary, resolved);
       else
         require_boundary(boundary);
       const double check = watch.lap();
+      line.stage("generate");
       Mesh mesh;
       GenerateOutcome outcome = mesh_from_boundary(boundary, generate, mesh);
       if (!outcome.ok) throw NoResult(outcome.failure);
@@ -119,6 +126,7 @@ int main(int argc, char** argv) {
       else
         refine_to(mesh, criteria, outcome.report);
       const double refined = watch.lap();
+      line.stage("write");
       fields.apply(mesh);
       if (!find_invalid(mesh).empty()) throw NoResult("elements of the result are not valid");
       text.clear();
@@ -126,6 +134,7 @@ int main(int argc, char** argv) {
       output.write(text);
       reports.add(frame, mesh.time, outcome.report,
                   {{"read", read}, {"check", check}, {"generate", first}, {"refine", refined}, {"write", watch.lap()}});
+      line.stage("read");
     });
     output.commit();
     return status::done;

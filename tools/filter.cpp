@@ -14,6 +14,7 @@
 #include "formats/msh.h"
 #include "formats/read_json.h"
 #include "pliant/mesh/check_mesh.h"
+#include "progress_line.h"
 
 namespace pliant {
 namespace {
@@ -185,7 +186,9 @@ int run_tool(CLI::App& app, int argc, char** argv, ToolOptions& options, const s
 }
 
 void say(const ToolOptions& options, const std::string& text) {
-  if (!options.quiet) std::fprintf(stderr, "%s: %s\n", options.tool.c_str(), text.c_str());
+  if (options.quiet) return;
+  const auto quiet_line = ProgressLine::give_way();
+  std::fprintf(stderr, "%s: %s\n", options.tool.c_str(), text.c_str());
 }
 
 void for_each_mesh(const ToolOptions& options, const std::function<void(MeshData&&, const Frame&)>& use) {
@@ -232,17 +235,22 @@ int run_filter(CLI::App& app, int argc, char** argv, const std::function<PassRep
     if (filter.prepare) filter.prepare(options);
     OutputFile output(options.output);
     FrameReports reports(options);
+    ProgressLine line(options);
     Stopwatch watch;
     std::string text;
     for_each_document(options, [&](std::string_view document, const Frame& frame) {
       watch.lap();
+      line.stage("read");
       MeshData data = read_mesh(document);
       const double read = watch.lap();
+      line.stage("check");
       require_mesh(data, filter.accepts_tangled);
       Mesh mesh(std::move(data));
       const double check = watch.lap();
+      line.stage("work");
       const PassReport report = pass(mesh);
       const double work = watch.lap();
+      line.stage("write");
       text.clear();
       write_mesh(mesh.to_data(), text);
       output.write(text);

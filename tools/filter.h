@@ -122,7 +122,7 @@ class Stopwatch {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-/// Where --report goes (a JSON line a frame, complete at once) and what -v prints; and the frame counter on a terminal.
+/// Where --report goes (a JSON line a frame, complete at once) and what -v prints.
 class FrameReports {
  public:
   explicit FrameReports(const ToolOptions& options);

@@ -1,6 +1,4 @@
-// tools/frame_reports.cpp: --report, -v and the frame counter on a terminal
-#include <unistd.h>
-
+// tools/frame_reports.cpp: --report and -v
 #include <cerrno>
 #include <cmath>
 #include <optional>
@@ -8,6 +6,7 @@
 
 #include "filter.h"
 #include "formats/write_json.h"
+#include "progress_line.h"
 
 namespace pliant {
 
@@ -21,17 +20,11 @@ double Stopwatch::lap() {
 struct FrameReports::State {
   const ToolOptions& options;
   std::FILE* file = nullptr;
-  bool counts = false;  // a counter is shown
-  bool shown = false;
-  std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
-  double shown_at = 0;
 
   void write_line(const Frame& frame, double time, const PassReport& report,
                   const std::vector<std::pair<std::string, double>>& seconds) const;
   void print(const Frame& frame, double time, const PassReport& report,
              const std::vector<std::pair<std::string, double>>& seconds) const;
-  void count(const Frame& frame);
-  void clear_counter();
 };
 
 namespace {
@@ -95,21 +88,7 @@ void FrameReports::State::print(const Frame& frame, double time, const PassRepor
   for (const std::string& note : report.notes) say(options, "  " + note);
 }
 
-void FrameReports::State::count(const Frame& frame) {
-  const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
-  if (passed.count() < shown_at + 0.2) return;  // also keeps short runs silent
-  shown_at = passed.count();
-  shown = true;
-  std::fprintf(stderr, "\r%s: %ld frames, %.0f s", options.tool.c_str(), frame.index + 1, passed.count());
-}
-
-void FrameReports::State::clear_counter() {
-  if (shown) std::fputs("\r\033[K", stderr);
-  shown = false;
-}
-
 FrameReports::FrameReports(const ToolOptions& options) : state_(new State{options}) {
-  state_->counts = !options.quiet && !options.verbose && isatty(STDERR_FILENO) != 0 && isatty(STDOUT_FILENO) == 0;
   if (options.report.empty()) return;
   if (options.report == "-") throw UsageError("--report - would mix the report with the result; give it a file");
   state_->file = std::fopen(options.report.c_str(), "we");
@@ -117,7 +96,6 @@ FrameReports::FrameReports(const ToolOptions& options) : state_(new State{option
 }
 
 FrameReports::~FrameReports() {
-  state_->clear_counter();
   if (state_->file != nullptr) std::fclose(state_->file);
 }
 
@@ -125,7 +103,7 @@ void FrameReports::add(const Frame& frame, double time, const PassReport& report
                        const std::vector<std::pair<std::string, double>>& seconds) {
   if (state_->file != nullptr) state_->write_line(frame, time, report, seconds);
   if (state_->options.verbose) state_->print(frame, time, report, seconds);
-  if (state_->counts) state_->count(frame);
+  if (ProgressLine* line = ProgressLine::shown()) line->frames_done(frame.index + 1);
 }
 
 }  // namespace pliant

@@ -4,6 +4,7 @@
 
 #include "criteria_options.h"
 #include "filter.h"
+#include "progress_line.h"
 #include "refit_option.h"
 
 int main(int argc, char** argv) {
@@ -23,6 +24,7 @@ int main(int argc, char** argv) {
       app, argc, argv,
       [&](Mesh& mesh) {
         options.goals = criteria.goals(mesh, compile_size);
+        options.progress = start_refinement(mesh, options.goals);
         return refine(mesh, options);
       },
       filter);

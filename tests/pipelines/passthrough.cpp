@@ -3,20 +3,24 @@
 #include <CLI/CLI.hpp>
 #include <limits>
 #include <string>
+#include <thread>
 
 #include "criteria_options.h"
 #include "filter.h"
+#include "progress_line.h"
 
 int main(int argc, char** argv) {
   using namespace pliant;
   CLI::App app{"Pass meshes through.", "passthrough"};
   double stop_at = std::numeric_limits<double>::infinity();
   double spoil_at = std::numeric_limits<double>::infinity();
+  int naps = 0;
   FilterOptions filter;
   CriteriaOptions criteria;
   app.add_option("--stop-at", stop_at, "no result from this time on");
   app.add_option("--spoil-at", spoil_at, "make a number that is not finite from this time on");
   app.add_flag("--tangled", filter.accepts_tangled, "take tangled meshes");
+  app.add_option("--naps", naps, "sleep so many tenths of a second a mesh, and count them");
   criteria.add(app);
   filter.prepare = [&](const ToolOptions&) { criteria.check(); };
   return run_filter(
@@ -25,6 +29,12 @@ int main(int argc, char** argv) {
         if (mesh.time >= stop_at) throw NoResult("told to stop");
         if (mesh.time >= spoil_at) mesh.time = std::numeric_limits<double>::quiet_NaN();
         criteria.apply(mesh.criteria, mesh.boundary());
+        Progress* progress = ProgressLine::shown() != nullptr ? ProgressLine::shown()->counters() : nullptr;
+        if (progress != nullptr) progress->start("sleep", "naps", naps);
+        for (int nap = 0; nap < naps; ++nap) {
+          std::this_thread::sleep_for(std::chrono::milliseconds(100));
+          if (progress != nullptr) progress->count(nap + 1);
+        }
         PassReport report;
         report.add("triangles", mesh.triangle_count());
         report.add("half", 0.5);

@@ -21,11 +21,14 @@ constexpr double straight = 1e-9;  // radians: spans that turn less are as good 
 
 class Generator {
  public:
-  Generator(const BoundaryComplex& boundary, int degree) : boundary_(boundary), degree_(degree) {}
+  Generator(const BoundaryComplex& boundary, int degree, Progress* progress)
+      : boundary_(boundary), degree_(degree), progress_(progress) {}
 
   GenerateOutcome run(Mesh& mesh) {
     elevate_curves(boundary_, degree_);
+    if (progress_ != nullptr) progress_->start("generate", "rounds");
     for (int round = 0; round < most_rounds; ++round) {
+      if (progress_ != nullptr) progress_->count(round);
       if (!triangulate_round()) return finish();
       LiftedMesh lifted(degree_, *spans_, planar_);
       const std::vector<int> invalid = lifted.untangle(round < patient_rounds ? mild_bending : HUGE_VAL);
@@ -132,6 +135,7 @@ class Generator {
 
   BoundaryComplex boundary_;
   int degree_;
+  Progress* progress_;
   std::unique_ptr<BoundarySpans> spans_;
   PlanarMesh planar_;
   std::vector<Point> free_points_;
@@ -155,7 +159,7 @@ GenerateOutcome mesh_from_boundary(const BoundaryComplex& boundary, const Genera
   else if (boundary.curves.empty())
     outcome.failure = "the boundary has no curves";
   if (!outcome.failure.empty()) return outcome;
-  return Generator(boundary, degree).run(mesh);
+  return Generator(boundary, degree, options.progress).run(mesh);
 }
 
 }  // namespace pliant

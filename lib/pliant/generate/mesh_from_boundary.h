@@ -4,11 +4,13 @@
 #include "pliant/boundary/boundary_complex.h"
 #include "pliant/mesh/mesh.h"
 #include "pliant/mesh/pass_report.h"
+#include "pliant/mesh/progress.h"
 
 namespace pliant {
 
 struct GenerateOptions {
-  int degree = 0;  ///< of the mesh; 0: the largest degree of the curves, at least 2
+  int degree = 0;                ///< of the mesh; 0: the largest degree of the curves, at least 2
+  Progress* progress = nullptr;  ///< told the rounds
 };
 struct GenerateOutcome {
   bool ok = false;

@@ -53,6 +53,7 @@ class Refiner {
       if (!mesh_.is_alive(t) || corners_of(t) != corners) continue;
       const Attack attack = attack_on(mesh_, t, options_.goals);
       if (attack.reason) treat(t, attack);
+      if (options_.progress != nullptr) options_.progress->count(insertions_ + splits_);
     }
     mesh_.compact();
     return report();

@@ -2,6 +2,7 @@
               // §5.3.2)
 #include "pliant/improve/sizing.h"
 #include "pliant/mesh/pass_report.h"
+#include "pliant/mesh/progress.h"
 #include "pliant/ops/outcome.h"
 
 namespace pliant {
@@ -10,6 +11,7 @@ struct RefineOptions {
   QualityGoals goals;
   long max_insertions = 10'000'000;
   RefitOptions refit;
+  Progress* progress = nullptr;  ///< told the points inserted
 };
 /// Refines until every element meets the goals or is given up (counted by reason).
 PassReport refine(Mesh& mesh, const RefineOptions& options);

@@ -1,0 +1,23 @@
+#pragma once  // lib/pliant/mesh/progress.h: how far a long pass has come, for another thread to show
+#include <atomic>
+
+namespace pliant {
+
+/// What a pass counts while it works. The pass only stores, relaxed, which costs what an ordinary store does; who shows
+/// it looks as often as it likes.
+struct Progress {
+  std::atomic<const char*> stage{""};  ///< a word with static storage: "generate", "refine"
+  std::atomic<const char*> unit{""};   ///< of what is counted: "rounds", "points"
+  std::atomic<long> done{0};           ///< so far in this stage
+  std::atomic<double> expected{0};     ///< `done` at the end, roughly; 0: not known
+
+  void start(const char* new_stage, const char* new_unit = "", double new_expected = 0) {
+    done.store(0, std::memory_order_relaxed);
+    expected.store(new_expected, std::memory_order_relaxed);
+    unit.store(new_unit, std::memory_order_relaxed);
+    stage.store(new_stage, std::memory_order_relaxed);
+  }
+  void count(long so_far) { done.store(so_far, std::memory_order_relaxed); }
+};
+
+}  // namespace pliant
