@@ -84,25 +84,37 @@ double least_angle(const std::array<Point, 3>& corners) {
   return least;
 }
 
-/// Is an angle of the straight triangles below 20 degrees, and none of these corners near?
-bool has_small_angle(const Mesh& mesh, const std::vector<Point>& sharp) {
+/// The least angle of the straight triangles that no sharp corner is near, within twice their extent.
+double least_angle_away(const Mesh& mesh, const std::vector<Point>& sharp) {
+  double least = 180;
   for (TriangleId t = 0; t < mesh.triangle_slots(); ++t) {
     const std::array corners{mesh.point(mesh.corner(t, 0)), mesh.point(mesh.corner(t, 1)),
                              mesh.point(mesh.corner(t, 2))};
-    if (least_angle(corners) >= 20) continue;
+    const double angle = least_angle(corners);
+    if (angle >= least) continue;
     double extent = 0, away = HUGE_VAL;
     for (std::size_t i = 0; i < 3; ++i) {
       extent = std::max(extent, distance(corners[i], corners[(i + 1) % 3]));
       for (const Point& p : sharp) away = std::min(away, distance(corners[i], p));
     }
-    if (away > 2 * extent) return true;
+    if (away > 2 * extent) least = angle;
   }
-  return false;
+  return least;
+}
+
+/// Two drawings, each in two fonts, with tips of 5 degrees whose spans are short and equal: triangles of the tip's own
+/// proportions reach further from it than twice their extent.
+bool is_needle(const std::string& font, int glyph) {
+  if (font == "DejaVuSans" || font == "DejaVuSans-Bold") return glyph == 3835;
+  return (font == "DejaVuSansMono" || font == "DejaVuSansMono-Bold") && glyph == 2682;
 }
 
 }  // namespace
 
-TEST_CASE("every glyph is meshed, certified, with the area of its outline, or its contours meet", "[generate][fonts]") {
+TEST_CASE(
+    "every glyph is meshed, certified, with the area of its outline, or its contours meet; refined it has no angle "
+    "below 20 degrees away from small angles of the outline",
+    "[generate][fonts]") {
   const auto name = GENERATE(as<std::string>{}, "DejaVuSans", "DejaVuSans-Bold", "DejaVuSansMono",
                              "DejaVuSansMono-Bold", "DejaVuSerif", "DejaVuSerif-Bold");
   CAPTURE(name);
@@ -124,32 +136,16 @@ TEST_CASE("every glyph is meshed, certified, with the area of its outline, or it
     }
     ++meshes;
     double area = 0;
-    const Mesh mesh = meshed(boundary_by_nonzero(contours, area));
+    Mesh mesh = meshed(boundary_by_nonzero(contours, area));
     CHECK(meshed_areas(mesh).front() == Approx(area).epsilon(1e-12));
-  }
-  CHECK(meshes > 1000 / stride);
-  CHECK(refusals <= meshes / 20);
-}
-
-TEST_CASE("refined glyphs stay exact; few have angles below 20 degrees away from small angles of their outlines",
-          "[generate][fonts]") {
-  const auto name = GENERATE(as<std::string>{}, "DejaVuSans", "DejaVuSerif-Bold");
-  CAPTURE(name);
-  const Font font(folder + name + ".ttf");
-  int refined = 0, poor = 0;
-  for (int glyph = 0; glyph < font.glyph_count(); glyph += 20 * stride) {
-    const std::vector<Contour> contours = font.contours(glyph);
-    if (contours.empty() || !contacts(contours).empty()) continue;
-    CAPTURE(glyph);
-    double area = 0;
-    Mesh mesh;
-    REQUIRE(mesh_from_boundary(boundary_by_nonzero(contours, area), {}, mesh).ok);
+    const int first = mesh.triangle_count();
     refine(mesh, {});
     CHECK(find_invalid(mesh).empty());
     CHECK(meshed_areas(mesh).front() == Approx(area).epsilon(1e-12));
-    ++refined;
-    poor += has_small_angle(mesh, sharp_corners(contours));
+    CHECK(least_angle_away(mesh, sharp_corners(contours)) >= (is_needle(name, glyph) ? 13 : 20));
+    // Nowhere smaller than needed: the first mesh has all the features that there are.
+    CHECK(mesh.triangle_count() <= 16 * first);
   }
-  CAPTURE(refined, poor);
-  CHECK(poor <= refined / 20);
+  CHECK(meshes > 1000 / stride);
+  CHECK(refusals <= meshes / 20);
 }

@@ -7,9 +7,9 @@
 namespace pliant {
 namespace {
 
-constexpr double most_bend = 0.1;  // of an edge's length
+constexpr double mildly = 0.1, badly = 0.3;  // of an edge's length
 
-bool is_bent(const Mesh& mesh, HalfEdgeId h) {
+bool is_bent(const Mesh& mesh, HalfEdgeId h, double most_bend = mildly) {
   const int p = mesh.degree();
   const Point &a = mesh.point(mesh.origin(h)), &b = mesh.point(mesh.target(h));
   const double most = most_bend * most_bend * squared_length(b - a);
@@ -26,6 +26,21 @@ bool straighten_around(Mesh& mesh, HalfEdgeId h, const RefitOptions& refit) {
   thread_local std::vector<HalfEdgeId> edges;
   edges.assign({h, next(h), previous(h), next(g), previous(g)});
   return straighten_bent(mesh, edges, refit);
+}
+
+/// A flip that leaves no badly bent edge: where the elements leave little room, the valid place for its control points
+/// may be far outside, and bends beget bends.
+Refusal flip_straight(Mesh& mesh, HalfEdgeId h, const RefitOptions& refit) {
+  Transaction transaction(mesh);
+  const bool was_bad = is_bent(mesh, h, badly);
+  const Refusal refusal = flip_edge(mesh, h, refit);
+  if (refusal != Refusal::done) return refusal;
+  if (is_bent(mesh, h)) {
+    straighten_around(mesh, h, refit);
+    if (!was_bad && is_bent(mesh, h, badly)) return Refusal::would_invert;
+  }
+  transaction.commit();
+  return Refusal::done;
 }
 
 }  // namespace
@@ -73,9 +88,9 @@ void legalize(Mesh& mesh, std::vector<HalfEdgeId>& stack, const RefitOptions& re
     stack.pop_back();
     if (!mesh.is_alive(triangle_of(h)) || !wants_flip(edge_state(mesh, h))) continue;
     if (max_flips >= 0 && counts.flips >= max_flips) continue;
-    Refusal refusal = flip_edge(mesh, h, refit);
+    Refusal refusal = straightens ? flip_straight(mesh, h, refit) : flip_edge(mesh, h, refit);
     if (straightens && refusal != Refusal::done && straighten_around(mesh, h, refit))
-      refusal = flip_edge(mesh, h, refit);
+      refusal = flip_straight(mesh, h, refit);
     if (refusal != Refusal::done) {
       counts.refuse(refusal);
       continue;
@@ -83,7 +98,6 @@ void legalize(Mesh& mesh, std::vector<HalfEdgeId>& stack, const RefitOptions& re
     ++counts.flips;
     const HalfEdgeId g = mesh.twin(h);
     for (const HalfEdgeId outer : {next(h), previous(h), next(g), previous(g)}) stack.push_back(outer);
-    if (straightens) straighten_around(mesh, h, refit);
     if (touched) {
       touched->push_back(triangle_of(h));
       touched->push_back(triangle_of(g));

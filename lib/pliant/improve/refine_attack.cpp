@@ -48,7 +48,8 @@ Attack attack_on(const Mesh& mesh, TriangleId t, const QualityGoals& goals) {
   }
   if (goals.min_angle > 0) {
     const double limit = 1 / (2 * std::sin(goals.min_angle * std::numbers::pi / 180));
-    const double ratio = radius_edge_ratio(a, b, c);
+    const double ratio =
+        cross(b - a, c - a) > 0 ? radius_edge_ratio(a, b, c) : HUGE_VAL;  // turned over: no shape at all
     if (ratio > limit) return {"too poor", ratio / limit, none, true};
   }
   return {};

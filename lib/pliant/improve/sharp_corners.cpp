@@ -4,21 +4,15 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <span>
-
-#include "pliant/geometry/control_net.h"
 
 namespace pliant {
 namespace {
 
 constexpr int most_steps = 64;  // along a curve towards a corner
 constexpr FaceId several = -2;
-constexpr double corner_reach = 1.9;   // lengths of a triangle within which a small angle excuses it
+constexpr double corner_reach = 1.95;   // lengths of a triangle within which a small angle excuses it
 constexpr double most_extent = 3;      // of a triangle along a shell, in the shell's radius
 constexpr double same_distance = 1.2;  // of two vertices from a corner
-constexpr double balanced = 0.02;      // the parameter's middle will do: halves as equal as this
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// Direction in which the edge leaves its origin: the first leg of its control polygon that has a length.
 Vector direction(const Mesh& mesh, HalfEdgeId h, bool reversed) {
@@ -64,23 +58,6 @@ FaceId sharp_face(const Mesh& mesh, const Star& star) {
   return face;
 }
 
-Point point_on(std::span<const double> polygon, int degree, double s) {
-  std::array<double, 2> value;
-  evaluate_polygon(degree, 2, polygon, s, value);
-  return {value[0], value[1]};
-}
-
-/// The s in (0, 1) at which `is_before(point)` changes from true to false.
-template <class Predicate>
-double bisect(std::span<const double> polygon, int degree, const Predicate& is_before) {
-  double low = 0, high = 1;
-  for (int i = 0; i < 30; ++i) {
-    const double s = (low + high) / 2;
-    (is_before(point_on(polygon, degree, s)) ? low : high) = s;
-  }
-  return (low + high) / 2;
-}
-
 }  // namespace
 
 SharpCorners::SharpCorners(const Mesh& mesh) {
@@ -92,27 +69,6 @@ SharpCorners::SharpCorners(const Mesh& mesh) {
     find_star(mesh, v, star_);
     if (const FaceId f = sharp_face(mesh, star_); f != outside) corners_.emplace(v, f);
   }
-}
-
-double SharpCorners::split_parameter(const Mesh& mesh, HalfEdgeId h) const {
-  std::array<Point, max_degree + 1> points;
-  const int p = mesh.degree();
-  mesh.gather_edge_points(h, points);
-  const Point a = points[0], b = points[at(p)];
-  std::array<double, 2 * (max_degree + 1)> flat;
-  for (int k = 0; k <= p; ++k) flat[at(2 * k)] = points[at(k)].x, flat[at(2 * k + 1)] = points[at(k)].y;
-  const std::span<const double> polygon(flat.data(), at(2 * (p + 1)));
-  const bool is_corner[2] = {contains(mesh.origin(h)), contains(mesh.target(h))};
-  if (is_corner[0] != is_corner[1]) {
-    const Point& apex = is_corner[0] ? a : b;
-    // The shell between 1/3 and 2/3 of the way.
-    const double radius = std::exp2(std::floor(std::log2(distance(a, b) * (2.0 / 3))));
-    const double s = bisect(polygon, p, [&](const Point& x) { return (distance(apex, x) < radius) == is_corner[0]; });
-    if (s > 0.1 && s < 0.9) return s;
-  }
-  const auto unbalance = [&](const Point& x) { return distance(a, x) - distance(x, b); };
-  if (std::fabs(unbalance(point_on(polygon, p, 0.5))) <= balanced * distance(a, b)) return 0.5;
-  return bisect(polygon, p, [&](const Point& x) { return unbalance(x) < 0; });
 }
 
 /// The corners that the curve through p leads to, if it is a vertex within a curve.
@@ -155,7 +111,7 @@ int SharpCorners::sides_from(const Mesh& mesh, PointId p, Side sides[2]) const {
   return count;
 }
 
-PointId SharpCorners::find_shared(const Mesh& mesh, PointId p, PointId q, FaceId f) const {
+PointId SharpCorners::shared(const Mesh& mesh, PointId p, PointId q, FaceId f) const {
   if (corners_.empty()) return none;
   Side from_p[2], from_q[2];
   const int n = sides_from(mesh, p, from_p);
@@ -171,11 +127,12 @@ PointId SharpCorners::find_shared(const Mesh& mesh, PointId p, PointId q, FaceId
 
 bool SharpCorners::is_along_shell(const Mesh& mesh, HalfEdgeId h, double longest) const {
   const PointId p = mesh.origin(h), q = mesh.target(h);
-  const PointId corner = find_shared(mesh, p, q, mesh.face(triangle_of(h)));
+  const PointId corner = shared(mesh, p, q, mesh.face(triangle_of(h)));
   if (corner == none) return false;
   const Point& apex = mesh.point(corner);
   const auto [near, far] = std::minmax({distance(apex, mesh.point(p)), distance(apex, mesh.point(q))});
-  return far < same_distance * near && near <= corner_reach * longest && longest <= most_extent * near;
+  const double away = std::min(near, distance(apex, mesh.point(mesh.apex(h))));
+  return far < same_distance * near && away <= corner_reach * longest && longest <= most_extent * near;
 }
 
 }  // namespace pliant

@@ -17,13 +17,8 @@ class SharpCorners {
 
   bool empty() const { return corners_.empty(); }
   bool contains(PointId v) const { return corners_.count(v) > 0; }
-  /// Where to split a half-edge on a curve: at a shell around the end that is a corner, else at equal distances from
-  /// both ends.
-  double split_parameter(const Mesh& mesh, HalfEdgeId h) const;
-  /// Do the two vertices lie on two sides of one corner of the face?
-  bool share_corner(const Mesh& mesh, PointId p, PointId q, FaceId f) const {
-    return find_shared(mesh, p, q, f) != none;
-  }
+  /// The corner of the face of which the two vertices lie on two sides; or none.
+  PointId shared(const Mesh& mesh, PointId p, PointId q, FaceId f) const;
   /// Is this edge of a triangle along a shell, and the corner no further than the triangle reaches?
   bool is_along_shell(const Mesh& mesh, HalfEdgeId h, double longest) const;
 
@@ -32,7 +27,6 @@ class SharpCorners {
     PointId corner = none;
     PointId first = none;  // vertex next to the corner, on the way
   };
-  PointId find_shared(const Mesh& mesh, PointId p, PointId q, FaceId f) const;
   int sides_from(const Mesh& mesh, PointId p, Side sides[2]) const;
 
   std::unordered_map<PointId, FaceId> corners_;  // and the face, or `several`

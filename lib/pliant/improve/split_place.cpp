@@ -1,0 +1,90 @@
+#include "pliant/improve/split_place.h"
+
+#include <array>
+#include <cmath>
+#include <span>
+
+#include "pliant/geometry/control_net.h"
+#include "pliant/geometry/predicates.h"
+
+namespace pliant {
+namespace {
+
+constexpr double balanced = 0.02;  // the parameter's middle will do: halves as equal as this
+constexpr int most_steps = 8;      // towards an end
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+Point point_on(std::span<const double> polygon, int degree, double s) {
+  std::array<double, 2> value;
+  evaluate_polygon(degree, 2, polygon, s, value);
+  return {value[0], value[1]};
+}
+
+/// The s in (0, 1) at which `is_before(point)` changes from true to false.
+template <class Predicate>
+double bisect(std::span<const double> polygon, int degree, const Predicate& is_before) {
+  double low = 0, high = 1;
+  for (int i = 0; i < 30; ++i) {
+    const double s = (low + high) / 2;
+    (is_before(point_on(polygon, degree, s)) ? low : high) = s;
+  }
+  return (low + high) / 2;
+}
+
+/// Of the two logical triangles on one side that a split at x makes: is the one at the edge's first end turned over,
+/// and can no flip of the edge behind it mend that?
+bool turns_over(const Mesh& mesh, HalfEdgeId h, const Point& x, bool at_origin) {
+  const Point &end = mesh.point(at_origin ? mesh.origin(h) : mesh.target(h)), &apex = mesh.point(mesh.apex(h));
+  const int sign = at_origin ? 1 : -1;
+  if (sign * orient2d(end, x, apex) > 0) return false;
+  const HalfEdgeId behind = mesh.twin(at_origin ? previous(h) : next(h));
+  if (behind == none || mesh.is_constrained(behind)) return true;
+  const Point& beyond = mesh.point(mesh.apex(behind));
+  return sign * orient2d(end, x, beyond) <= 0 || sign * orient2d(x, apex, beyond) <= 0;
+}
+
+double balanced_place(const Mesh& mesh, HalfEdgeId h, const SharpCorners& corners, std::span<const double> polygon) {
+  const int p = mesh.degree();
+  const Point &a = mesh.point(mesh.origin(h)), &b = mesh.point(mesh.target(h));
+  const bool is_corner[2] = {corners.contains(mesh.origin(h)), corners.contains(mesh.target(h))};
+  if (is_corner[0] != is_corner[1]) {
+    const Point& apex = is_corner[0] ? a : b;
+    // The shell between 1/3 and 2/3 of the way.
+    const double radius = std::exp2(std::floor(std::log2(distance(a, b) * (2.0 / 3))));
+    const double s = bisect(polygon, p, [&](const Point& x) { return (distance(apex, x) < radius) == is_corner[0]; });
+    if (s > 0.1 && s < 0.9) return s;
+  }
+  const auto unbalance = [&](const Point& x) { return distance(a, x) - distance(x, b); };
+  if (std::fabs(unbalance(point_on(polygon, p, 0.5))) <= balanced * distance(a, b)) return 0.5;
+  return bisect(polygon, p, [&](const Point& x) { return unbalance(x) < 0; });
+}
+
+}  // namespace
+
+double split_place(const Mesh& mesh, HalfEdgeId h, const SharpCorners& corners) {
+  const int p = mesh.degree();
+  std::array<double, 2 * (max_degree + 1)> flat;
+  for (int k = 0; k <= p; ++k) {
+    const Point& b = mesh.point(mesh.edge_point(h, k));
+    flat[at(2 * k)] = b.x, flat[at(2 * k + 1)] = b.y;
+  }
+  const std::span<const double> polygon(flat.data(), at(2 * (p + 1)));
+  const double place = balanced_place(mesh, h, corners, polygon);
+  if (p == 1) return place;
+  double s = place;
+  for (int step = 0; step < most_steps; ++step) {
+    const Point x = point_on(polygon, p, s);
+    bool first = turns_over(mesh, h, x, true), second = turns_over(mesh, h, x, false);
+    if (const HalfEdgeId g = mesh.twin(h); g != none) {
+      first = first || turns_over(mesh, g, x, false);
+      second = second || turns_over(mesh, g, x, true);
+    }
+    if (!first && !second) return s;
+    if (first && second) break;
+    s = first ? (s + 1) / 2 : s / 2;  // the chord to the far end leans less the nearer x is to the other
+  }
+  return place;
+}
+
+}  // namespace pliant
