@@ -52,7 +52,7 @@ class Drawing {
         bad_(find_invalid(mesh)),
         pixel_(pixel),
         out_(out),
-        path_(out, bounding_box(mesh).size(), options.tolerance * bounding_box(mesh).size()) {}
+        path_(out, bounding_box(mesh).size(), options.tolerance * bounding_box(mesh).size(), options.resolution) {}
 
   void elements();
   void marks();
@@ -63,7 +63,7 @@ class Drawing {
 
  private:
   TriangleId triangles() const { return static_cast<TriangleId>(mesh_.triangle_faces.size()); }
-  SvgPath& width(double pixels) { return path_.text(" stroke-width=\"").number(pixels * pixel_).text("\""); }
+  SvgPath& width(double pixels) { return path_.text(" stroke-width=\"" + short_number(pixels * pixel_) + "\""); }
   void outline(const std::vector<Point>& net);
   void element_paths(const std::vector<TriangleId>& triangles);
   void flat_element(TriangleId t);

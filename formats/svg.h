@@ -15,6 +15,7 @@ struct SvgOptions {
   std::optional<Box> box;           ///< what is shown, in mesh units; otherwise all control points and a margin
   double width = 1000;              ///< of the whole picture, in pixels
   int subdivide = 0;                ///< pieces of an element's edge for a field's colours; 0: as many as it takes
+  double resolution = 1e-7;         ///< of numbers, as a part of the mesh's size
   double tolerance = 1e-5;          ///< of curves of degree above 3, as a part of the mesh's size
   bool edges = true;
   bool legend = true;
@@ -23,7 +24,7 @@ struct SvgOptions {
 };
 
 /// Appends the picture. Curves are exact for degrees 1 to 3 (lines, quadratic and cubic Bézier curves), numbers are
-/// rounded to 1e-7 of the mesh's size.
+/// rounded to the resolution.
 /// Requires    M1 and M2 (check_structure); the mesh may be tangled: elements that are not valid are marked
 /// Throws      std::invalid_argument where the mesh has no such field (ElementValues)
 void write_svg(const MeshData& mesh, const SvgOptions& options, std::string& out);

@@ -46,9 +46,22 @@ double distance_bound(const std::vector<double>& polygon, std::vector<double> lo
 
 }  // namespace
 
-SvgPath::SvgPath(std::string& out, double size, double tolerance) : out_(out), tolerance_(tolerance), decimals_(-1) {
+SvgPath::SvgPath(std::string& out, double size, double tolerance, double resolution)
+    : out_(out), tolerance_(tolerance), decimals_(-1) {
   // Outside of this range decimal fractions would be long, and renderers' own numbers fail anyway.
-  if (size > 1e-6 && size < 1e7) decimals_ = std::max(0, 7 - static_cast<int>(std::floor(std::log10(size))));
+  if (size > 1e-6 && size < 1e7)
+    decimals_ = std::max(0, static_cast<int>(std::ceil(-std::log10(resolution)) - std::floor(std::log10(size))));
+}
+
+/// Within what is rounded away the curve is its chord, evenly run.
+bool SvgPath::is_straight(const std::vector<Point>& polygon) const {
+  if (decimals_ < 0) return false;
+  const double half = 0.5 * std::pow(10, -decimals_), p = static_cast<double>(polygon.size() - 1);
+  for (std::size_t k = 1; k + 1 < polygon.size(); ++k) {
+    const double s = static_cast<double>(k) / p;
+    if (distance(polygon[k], (1 - s) * polygon.front() + s * polygon.back()) > half) return false;
+  }
+  return true;
 }
 
 SvgPath& SvgPath::number(double value) {
@@ -76,6 +89,7 @@ SvgPath& SvgPath::move_to(const Point& p) { return text("M").point(p); }
 
 SvgPath& SvgPath::curve_to(const std::vector<Point>& polygon) {
   const std::size_t degree = polygon.size() - 1;
+  if (is_straight(polygon)) return text("L").point(polygon.back());
   if (degree > 3) {
     cubics(coordinates(polygon), 0);
     return *this;

@@ -3,6 +3,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "criteria_options.h"
 #include "filter.h"
 #include "formats/svg.h"
 #include "picture_options.h"
@@ -13,7 +14,7 @@ int main(int argc, char** argv) {
   ToolOptions options;
   PictureOptions picture;
   SvgOptions svg;
-  std::string box;
+  std::string box, resolution;
   long wanted = 0;
   bool no_legend = false;
   add_common_options(app, options, false);
@@ -27,6 +28,9 @@ int main(int argc, char** argv) {
       ->check(CLI::Range(50.0, 100000.0))
       ->capture_default_str();
   app.add_option("--box", box, "what is shown; by default all control points and a margin")->type_name("X0,Y0,X1,Y1");
+  app.add_option("--resolution", resolution,
+                 "of numbers, as a part of the mesh's size, 1e-7 by default; 1e-4 serves a small picture")
+      ->type_name("R");
   app.add_flag("--no-legend", no_legend, "leave out the column that explains the colours");
 
   return run_tool(app, argc, argv, options, [&] {
@@ -38,6 +42,11 @@ int main(int argc, char** argv) {
     svg.edges = !picture.no_edges;
     svg.circles = picture.circles;
     svg.legend = !no_legend;
+    if (!resolution.empty()) {
+      svg.resolution = parse_positive("--resolution", resolution);
+      if (svg.resolution < 1e-12 || svg.resolution > 0.01)
+        throw UsageError("--resolution " + resolution + ": from 1e-12 to 0.01");
+    }
     if (!box.empty()) {
       const std::vector<double> sides = parse_numbers("--box", box, ',', 4, "X0,Y0,X1,Y1");
       svg.box = Box{{sides[0], sides[1]}, {sides[2], sides[3]}};
