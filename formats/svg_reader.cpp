@@ -1,5 +1,6 @@
 #include "formats/svg_reader.h"  // formats/svg_reader.cpp: from the filled shapes to faces, curves and vertices
 
+#include <algorithm>
 #include <cmath>
 
 #include "formats/svg_import/element_tree.h"
@@ -14,6 +15,8 @@ namespace pliant {
 namespace {
 
 using namespace svg;
+
+constexpr double most_snap = 1e-5;  // of the drawing's size: what runs together is not farther apart
 
 constexpr const char* not_apart =
     "shapes cross, touch or lie over each other; import-svg --planar makes disjoint faces of what is seen of them";
@@ -42,11 +45,29 @@ double size_of(const std::vector<Shape>& shapes) {
   return box.size();
 }
 
+/// Curves are where they are within the tolerance of the import, so what is closer runs together. Where snapping as
+/// coarse as that spoils details, a finer one tells them apart.
+Arrangement arrange_drawing(const std::vector<FilledFace>& faces, double tolerance) {
+  constexpr double finer = 1.0 / 16;
+  ArrangeOptions options;
+  const double finest = options.tolerance;
+  options.tolerance = options.coarsest = std::clamp(tolerance, finest, most_snap);
+  options.sliver = std::max(options.sliver, 4 * options.tolerance);
+  Arrangement first;
+  for (bool is_first = true;; is_first = false) {
+    Arrangement found = arrange(faces, options);
+    if (found.faults.empty()) return found;
+    if (is_first) first = std::move(found);
+    if (options.tolerance <= finest) return first;
+    options.tolerance = options.coarsest = std::max(finer * options.tolerance, finest);
+  }
+}
+
 /// All loops of all shapes, and the curves that they become.
 class Drawing {
  public:
   Drawing(const std::vector<Shape>& shapes, const SvgReadOptions& options, SvgImport& import)
-      : shapes_(shapes), import_(import) {
+      : shapes_(shapes), import_(import), tolerance_(options.tolerance) {
     LoopOptions loop_options;
     loop_options.degree = options.degree;
     loop_options.size = import.size;
@@ -111,7 +132,7 @@ class Drawing {
       for (const Loop& loop : all_[s]) face.curves.insert(face.curves.end(), loop.curves.begin(), loop.curves.end());
       if (!face.curves.empty()) faces.push_back(std::move(face));
     }
-    Arrangement arrangement = arrange(faces);
+    Arrangement arrangement = arrange_drawing(faces, tolerance_);
     if (!arrangement.faults.empty()) {
       std::string text = "the shapes cannot be arranged";
       for (const Fault& fault : arrangement.faults) text += "\n" + fault.text;
@@ -180,6 +201,7 @@ class Drawing {
 
   const std::vector<Shape>& shapes_;
   SvgImport& import_;
+  double tolerance_;  // of the drawing's size
   std::vector<std::vector<Loop>> all_;
   std::vector<ShapeLoop> loops_;
   std::size_t next_loop_ = 0;

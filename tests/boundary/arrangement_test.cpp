@@ -369,7 +369,7 @@ TEST_CASE("small whole numbers as control points: coincidences everywhere", "[bo
     const Arrangement a = arrange(faces);
     CAPTURE(degree, run, first_text(a.faults));
     // Cubic splines over folded control polygons stop in cusps; where others end or pass there, not all can be told.
-    if (degree == 3 && !a.faults.empty()) {
+    if (degree == 3 && (!a.faults.empty() || !same(resolve(a.boundary).boundary, a.boundary))) {
       ++refused;
       continue;
     }

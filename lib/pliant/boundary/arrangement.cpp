@@ -15,7 +15,6 @@ namespace pliant {
 namespace {
 
 constexpr double wider = 16;         // the tolerance of the next attempt
-constexpr double coarsest = 1e-6;    // that is tried, of the size
 constexpr double tip_length = 4e-9;  // of the size: spans of a mesh are not shorter than a quarter of it
 
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
@@ -131,7 +130,7 @@ Arrangement solve(const Painting& painting, ArrangeOptions options) {
   if (!result.faults.empty()) return result;
   result = attempt(painting, options);
   result.tolerance = options.tolerance;
-  while (!result.faults.empty() && options.tolerance * wider <= coarsest) {
+  while (!result.faults.empty() && options.tolerance * wider <= options.coarsest) {
     options.tolerance *= wider;
     options.sliver = std::max(options.sliver, 4 * options.tolerance);
     Arrangement next = attempt(painting, options);

@@ -22,7 +22,8 @@ struct FilledFace {
 
 /// Both are relative to the size of the input, the diagonal of the box of its control points.
 struct ArrangeOptions {
-  double tolerance = 1e-11;  ///< what is closer touches, or coincides; made coarser, up to 1e-6, where it must be
+  double tolerance = 1e-11;  ///< what is closer touches, or coincides
+  double coarsest = 1e-6;    ///< what the tolerance may become where it gives no boundary
   double sliver = 1e-9;      ///< two pieces between the same two vertices, nowhere farther apart, become one
 };
 

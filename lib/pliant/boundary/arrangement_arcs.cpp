@@ -250,20 +250,25 @@ class Cutter {
     }
   }
 
+  /// What lies between an end and a cut that became the same node goes: near a tip it may have crossed another piece.
   void make_arcs() {
     std::size_t next = 0;
     for (std::size_t i = 0; i < pieces_.size(); ++i) {
       const Piece piece = pieces_[i];
-      double s = 0;
+      std::size_t last = next;
+      while (last < cuts_.size() && cuts_[last].piece == static_cast<int>(i)) ++last;
+      double s = 0, end = 1;
+      for (std::size_t k = last; k > next && cuts_[k - 1].point == piece.to && piece.from != piece.to; --k)
+        end = cuts_[k - 1].s;
       int at = piece.from;
-      for (; next < cuts_.size() && cuts_[next].piece == static_cast<int>(i); ++next) {
+      for (; next < last; ++next) {
         const Cut& cut = cuts_[next];
-        if (cut.point == at || cut.point == piece.to || !(s < cut.s && cut.s < 1)) continue;
-        add_arc(piece, s, cut.s, at, cut.point);
+        if (!(s < cut.s && cut.s < end) || cut.point == piece.to) continue;
+        if (cut.point != at) add_arc(piece, s, cut.s, at, cut.point);
         s = cut.s;
         at = cut.point;
       }
-      add_arc(piece, s, 1, at, piece.to);
+      add_arc(piece, s, end > s ? end : 1, at, piece.to);
     }
   }
 

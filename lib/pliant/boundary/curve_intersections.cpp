@@ -13,8 +13,8 @@ namespace {
 
 constexpr double corner_tolerance = 1e-10;  // of the distance from a common end
 constexpr double corner_margin = 1e-13;     // radians
-constexpr double blurred_corner = 1e4;      // tolerances: closer to a cusp's tip its sides may cross, but not coincide
-constexpr double least_corner = 16;         // tolerances: and are not compared any closer to it
+constexpr double blurred_corner = 1e-5;     // of the shorter: closer to a cusp's tip its sides may cross, not coincide
+constexpr double least_corner = 1e-8;       // and are not compared any closer to it
 constexpr double crossing_tolerance = 1e-14;  // of the distance from the tip, where they may cross
 constexpr int most_pairs = 4000;
 constexpr double least_gain = 0.8;  // clipping that leaves more than this is followed by halving
@@ -261,12 +261,15 @@ class MeetingSearch {
     const Point origin = a.at(0);
     for (Part* part : {&a, &b})
       for (Point& p : part->points) p -= origin;
+    const double whole_extent = std::min(a.extent(), b.extent());
+    const double blurred = std::min(blurred_corner * whole_extent, 1e4 * tolerance);
+    const double least = std::min(least_corner * whole_extent, 16 * tolerance);
     for (;;) {
       if (cones_apart(a.polygon(), b.polygon(), corner_margin)) break;
       const double extent_a = a.extent(), extent_b = b.extent();
       const double extent_both = std::min(extent_a, extent_b);
-      if (!(extent_both > least_corner * tolerance)) break;
-      if (!crossings_only_ && !(extent_both > blurred_corner * tolerance)) {
+      if (!(extent_both > least)) break;
+      if (!crossings_only_ && !(extent_both > blurred)) {
         crossings_only_ = true;
         pairs_ = 0;
       }
