@@ -53,6 +53,7 @@ Arrangement arrange_drawing(const std::vector<FilledFace>& faces, double toleran
   const double finest = options.tolerance;
   options.tolerance = options.coarsest = std::clamp(tolerance, finest, most_snap);
   options.sliver = std::max(options.sliver, 4 * options.tolerance);
+  options.tip = std::max(options.tip, options.tolerance / 4);
   Arrangement first;
   for (bool is_first = true;; is_first = false) {
     Arrangement found = arrange(faces, options);

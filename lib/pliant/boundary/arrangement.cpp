@@ -14,8 +14,7 @@
 namespace pliant {
 namespace {
 
-constexpr double wider = 16;         // the tolerance of the next attempt
-constexpr double tip_length = 4e-9;  // of the size: spans of a mesh are not shorter than a quarter of it
+constexpr double wider = 16;  // the tolerance of the next attempt
 
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
@@ -102,7 +101,7 @@ Arrangement attempt(const Painting& painting, const ArrangeOptions& options) {
     result.faults.push_back(inconsistent_at({std::ldexp(p.x, network.exponent), std::ldexp(p.y, network.exponent)}));
   }
   if (!result.faults.empty()) return result;
-  assemble(painting, network, chain_arcs(network, painting.curves, graph), result);
+  assemble(painting, network, chain_arcs(network, painting.curves, graph, tolerances), result);
   result.faults = check_boundary(result.boundary);
   if (result.faults.empty()) result.faults = check_boundary_geometry(result.boundary);
   return result;
@@ -167,7 +166,7 @@ Arrangement arrange(std::span<const FilledFace> faces, const ArrangeOptions& opt
   Box box;
   for (const FilledFace& face : faces)
     for (const BSpline& spline : face.curves) extend(box, spline);
-  painting.tip = tip_length * box.size();
+  painting.tip = options.tip * box.size();
   for (const FilledFace& face : faces) {
     const int f = static_cast<int>(painting.faces.size());
     painting.faces.push_back({face.name, face.extra});
@@ -186,7 +185,7 @@ Arrangement resolve(const BoundaryComplex& boundary, const ArrangeOptions& optio
   painting.vertices = boundary.vertices;
   painting.faces = boundary.faces;
   painting.rules.assign(boundary.faces.size(), FillRule::nonzero);
-  painting.tip = tip_length * bounding_box(boundary).size();
+  painting.tip = options.tip * bounding_box(boundary).size();
   for (const Curve& curve : boundary.curves) {
     Winding jump;
     if (curve.left != outside) add_winding(jump, {{curve.left, 1}});

@@ -20,10 +20,11 @@ struct FilledFace {
   ExtraMembers extra;
 };
 
-/// Both are relative to the size of the input, the diagonal of the box of its control points.
+/// All are relative to the size of the input, the diagonal of the box of its control points.
 struct ArrangeOptions {
   double tolerance = 1e-11;  ///< what is closer touches, or coincides
   double coarsest = 1e-6;    ///< what the tolerance may become where it gives no boundary
+  double tip = 4e-9;         ///< what turns by more than 60 degrees within this length becomes a corner
   double sliver = 1e-9;      ///< two pieces between the same two vertices, nowhere farther apart, become one
 };
 

@@ -99,7 +99,7 @@ class Cutter {
     return std::move(result_);
   }
 
-  ArcTolerances tolerances() const { return {touch_, std::max(sliver_, 2 * touch_)}; }
+  ArcTolerances tolerances() const { return {touch_, std::max(sliver_, 2 * touch_), tip_}; }
 
  private:
   void set_scale(std::span<const Point> vertices) {
@@ -119,6 +119,7 @@ class Cutter {
     const double grain = 64 * 0x1p-53 * std::ldexp(reach, -result_.exponent);
     touch_ = std::max(options_.tolerance * scaled_size, grain);
     sliver_ = std::max(options_.sliver * scaled_size, grain);
+    tip_ = options_.tip * scaled_size;
   }
   Point scaled(const Point& p) const {
     return {std::ldexp(p.x, -result_.exponent), std::ldexp(p.y, -result_.exponent)};
@@ -296,7 +297,7 @@ class Cutter {
 
   std::span<const SidedCurve> curves_;
   ArrangeOptions options_;
-  double touch_ = 0, sliver_ = 0;
+  double touch_ = 0, sliver_ = 0, tip_ = 0;
   ArcNetwork result_;
   std::vector<Point> places_;
   std::vector<Piece> pieces_;

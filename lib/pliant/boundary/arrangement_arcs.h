@@ -41,7 +41,7 @@ struct ArcNetwork {
 
 /// ArrangeOptions as lengths in the network's scale.
 struct ArcTolerances {
-  double touch, sliver;
+  double touch, sliver, tip;
 };
 
 /// Cuts the curves at their intersections.

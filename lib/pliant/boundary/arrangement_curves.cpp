@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "pliant/boundary/arrangement_input.h"
 #include "pliant/boundary/curve_intersections.h"
 
 namespace pliant {
 namespace {
 
+constexpr double most_hook = 8;          // tolerances
 constexpr double sharpest_joint = 0.01;  // radians; what turns back more sharply needs a vertex
 
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
@@ -44,8 +46,14 @@ struct OpenStretch {
 
 class Chains {
  public:
-  Chains(const ArcNetwork& network, std::span<const SidedCurve> curves, const ArrangementGraph& graph)
-      : network_(network), curves_(curves), graph_(graph), degree_(network.nodes.size(), 0) {
+  Chains(const ArcNetwork& network, std::span<const SidedCurve> curves, const ArrangementGraph& graph,
+         const ArcTolerances& tolerances)
+      : network_(network),
+        curves_(curves),
+        graph_(graph),
+        tip_(std::ldexp(tolerances.tip, network.exponent)),
+        most_hook_(most_hook * std::ldexp(tolerances.touch, network.exponent)),
+        degree_(network.nodes.size(), 0) {
     for (const GraphEdge& edge : graph.edges) {
       if (edge.left == edge.right) continue;
       ++degree_[index(network.arcs[index(edge.arc)].from)];
@@ -119,9 +127,31 @@ class Chains {
     if (over_seam) t1 = spline.last_parameter() + (t1 - spline.first_parameter());
     const bool is_whole = !spline.closed() && t0 == spline.first_parameter() && t1 == spline.last_parameter();
     KeptCurve result{a.curve, is_whole ? spline : part_of_curve(spline, t0, t1), a.from, b.to, edge->left, edge->right};
-    result.spline.set_point(0, unscaled(a.from));
-    result.spline.set_point(static_cast<int>(result.spline.points().size()) - 1, unscaled(b.to));
+    const Point from = unscaled(a.from), to = unscaled(b.to);
+    if (from == result.spline.points().front() && to == result.spline.points().back()) return result;
+    set_ends(result.spline, from, to);
+    cut_hooks(result.spline, from, to);
     return result;
+  }
+
+  static void set_ends(BSpline& spline, const Point& from, const Point& to) {
+    spline.set_point(0, from);
+    spline.set_point(static_cast<int>(spline.points().size()) - 1, to);
+  }
+
+  /// Where the snap has moved an end back past what came before it, that goes.
+  void cut_hooks(BSpline& spline, const Point& from, const Point& to) const {
+    std::vector<BSpline> parts = split_at_stops(spline, tip_);
+    const auto is_short = [&](const BSpline& part) {
+      Box box;
+      for (const Point& p : part.points()) box.extend(p);
+      return box.size() <= most_hook_;
+    };
+    while (parts.size() > 1 && is_short(parts.back())) parts.pop_back();
+    while (parts.size() > 1 && is_short(parts.front())) parts.erase(parts.begin());
+    if (parts.size() != 1) return;  // it turns back elsewhere
+    spline = std::move(parts.front());
+    set_ends(spline, from, to);
   }
 
   Point unscaled(int node) const {
@@ -132,14 +162,15 @@ class Chains {
   const ArcNetwork& network_;
   std::span<const SidedCurve> curves_;
   const ArrangementGraph& graph_;
+  double tip_, most_hook_;
   std::vector<int> degree_;  // kept edges at a node
 };
 
 }  // namespace
 
 std::vector<KeptCurve> chain_arcs(const ArcNetwork& network, std::span<const SidedCurve> curves,
-                                  const ArrangementGraph& graph) {
-  return Chains(network, curves, graph).all();
+                                  const ArrangementGraph& graph, const ArcTolerances& tolerances) {
+  return Chains(network, curves, graph, tolerances).all();
 }
 
 BSpline part_of_curve(const BSpline& spline, double t0, double t1) {

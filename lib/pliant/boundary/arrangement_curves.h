@@ -13,7 +13,7 @@ struct KeptCurve {
 
 /// The arcs that separate different faces, chained through nodes where nothing else ends; by curve and along it.
 std::vector<KeptCurve> chain_arcs(const ArcNetwork& network, std::span<const SidedCurve> curves,
-                                  const ArrangementGraph& graph);
+                                  const ArrangementGraph& graph, const ArcTolerances& tolerances);
 
 /// The part of a curve between two parameters, t0 < t1, clamped, with the knots between them; t1 may lie up to a period
 /// beyond the end of a closed curve.   Complexity O(knots between t0 and t1, times degree)
