@@ -28,8 +28,11 @@ struct Placement {
 /// its scale, over the elements; every coefficient is affine in the point, so this is a linear program in (x, y,
 /// least), with at most three active constraints. Coefficients of subdivided pieces are added as cuts until the point
 /// is certified or proved hopeless. Design: optimal placement of one control point; Amenta, Bern, Eppstein (1999).
+///
+/// `most_pieces` bounds the subdivision: a few are enough where the point is one of several that move in turn, and the
+/// outcome `stuck` is no verdict.
 Placement untangle_point(int degree, std::span<const PlacementElement> elements, const Point& start,
-                         PlacementMeasure measure = PlacementMeasure::element);
+                         PlacementMeasure measure = PlacementMeasure::element, int most_pieces = 400);
 
 /// From a valid place, maximises min tau(xi) over the elements: {tau(xi) >= t} is a disk of positions for each xi, and
 /// xi are added as cuts. Never returns a place that is worse than `start`, and every element is certified at the place.

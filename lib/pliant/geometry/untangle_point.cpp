@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "pliant/geometry/affine_program.h"
-#include "pliant/geometry/control_net.h"
+#include "pliant/geometry/bisect_net.h"
 #include "pliant/geometry/jacobian.h"
 #include "pliant/geometry/optimal_placement.h"
 #include "pliant/geometry/placement_star.h"
@@ -15,48 +15,73 @@ namespace pliant {
 namespace {
 
 constexpr double reach = 4;          // places looked at: as far as four times the farthest fixed control point
-constexpr int most_rounds = 40;      // of cuts
+constexpr int most_rounds = 80;      // of cuts
 constexpr double proof_gap = 1e-11;  // above all rounding of coefficients of the order of 1
-constexpr int most_pieces = 400;     // a flat element would be quartered everywhere, round after round
 
-/// det J of one element, or of a piece of one: coefficients that are affine in the place, as rows (a, b, c).
-struct Piece {
-  std::vector<double> rows;
-  int depth;
+struct AffineMean {
+  static void add(AffineFunction& f, const AffineFunction& g) {
+    f = {0.5 * (f.a + g.a), 0.5 * (f.b + g.b), 0.5 * (f.c + g.c)};
+  }
+  static void align(AffineFunction&, int) {}
 };
 
-Piece affine_jacobian(PlacementStar& star, std::size_t e) {
-  const int d = jacobian_degree(star.degree());
-  const auto size = static_cast<std::size_t>(net_size(d));
-  std::array<double, net_size(2 * (max_degree - 1))> at_origin, along_x, along_y;
-  jacobian_net(star.degree(), star.net(e), at_origin);
-  jacobian_net(star.degree(), star.net(e, {1, 0}), along_x);
-  jacobian_net(star.degree(), star.net(e, {0, 1}), along_y);
-  // The element's own size, not the star's: no element is neglected because another one is large.
-  Box box;
-  const auto net = star.net(e);
-  for (std::size_t n = 0; n < net.size(); ++n)
-    if (static_cast<int>(n) != star.moving(e)) box.extend(net[n]);
-  const double extent = box.size(), scale = extent > 0 ? 1 / (extent * extent) : 1;
-  Piece piece{std::vector<double>(3 * size), 0};
-  for (std::size_t n = 0; n < size; ++n) {
-    piece.rows[3 * n] = scale * (along_x[n] - at_origin[n]);
-    piece.rows[3 * n + 1] = scale * (along_y[n] - at_origin[n]);
-    piece.rows[3 * n + 2] = scale * at_origin[n];
+/// det J of the elements, or of pieces of them: coefficients that are affine in the place, in lattice order, piece
+/// after piece. Memory is reused from call to call.
+class AffineJacobians {
+ public:
+  void start(PlacementStar& star) {
+    degree_ = jacobian_degree(star.degree());
+    size_ = static_cast<std::size_t>(net_size(degree_));
+    functions_.resize(star.count() * size_);
+    for (std::size_t e = 0; e < star.count(); ++e) add_element(star, e);
   }
-  return piece;
-}
+  std::span<const AffineFunction> functions() const { return functions_; }
+  std::size_t pieces() const { return functions_.size() / size_; }
+  std::size_t piece_of(std::size_t function) const { return function / size_; }
+  /// Values of det J at the corners of a piece are no mere bounds.
+  bool is_value(std::size_t function) const {
+    const auto corners = lattice_corners(degree_);
+    return std::find(corners.begin(), corners.end(), static_cast<int>(function % size_)) != corners.end();
+  }
+  std::span<const AffineFunction> corner_values() {
+    values_.clear();
+    for (std::size_t first = 0; first < functions_.size(); first += size_)
+      for (const int corner : lattice_corners(degree_))
+        values_.push_back(functions_[first + static_cast<std::size_t>(corner)]);
+    return values_;
+  }
+  /// Bisects a piece: one half takes its place, the other comes last.
+  void bisect(std::size_t piece) {
+    std::array<AffineFunction, net_size(2 * (max_degree - 1))> parent;
+    std::array<AffineFunction, 2 * max_degree> row;
+    const std::size_t first = piece * size_, last = functions_.size();
+    std::copy_n(functions_.begin() + static_cast<std::ptrdiff_t>(first), size_, parent.begin());
+    functions_.resize(last + size_);
+    bisect_net<AffineMean>(degree_, parent.data(), functions_.data() + first, functions_.data() + last, row.data());
+  }
 
-/// Appends the four quarters of a piece.
-void quarter(int d, const Piece& parent, std::vector<Piece>& pieces) {
-  constexpr Barycentric a{1, 0, 0}, b{0, 1, 0}, c{0, 0, 1}, ab{.5, .5, 0}, bc{0, .5, .5}, ca{.5, 0, .5};
-  const std::array<std::array<Barycentric, 3>, 4> quarters{{{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}}};
-  for (const auto& [first, second, third] : quarters) {
-    Piece piece{std::vector<double>(parent.rows.size()), parent.depth + 1};
-    sub_net(d, 3, parent.rows, first, second, third, piece.rows);
-    pieces.push_back(std::move(piece));
+ private:
+  void add_element(PlacementStar& star, std::size_t e) {
+    std::array<double, net_size(2 * (max_degree - 1))> at_origin, along_x, along_y;
+    jacobian_net(star.degree(), star.net(e), at_origin);
+    jacobian_net(star.degree(), star.net(e, {1, 0}), along_x);
+    jacobian_net(star.degree(), star.net(e, {0, 1}), along_y);
+    // The element's own size, not the star's: no element is neglected because another one is large.
+    Box box;
+    const auto net = star.net(e);
+    for (std::size_t n = 0; n < net.size(); ++n)
+      if (static_cast<int>(n) != star.moving(e)) box.extend(net[n]);
+    const double extent = box.size(), scale = extent > 0 ? 1 / (extent * extent) : 1;
+    const std::vector<int>& order = lattice_order(degree_);
+    for (std::size_t n = 0; n < size_; ++n)
+      functions_[e * size_ + static_cast<std::size_t>(order[n])] = {
+          scale * (along_x[n] - at_origin[n]), scale * (along_y[n] - at_origin[n]), scale * at_origin[n]};
   }
-}
+
+  int degree_ = 0;
+  std::size_t size_ = 1;
+  std::vector<AffineFunction> functions_, values_;
+};
 
 /// At a corner whose two neighbours on the edges stay as well, det J stays: not positive there, never valid.
 bool is_fixed_corner_bad(const PlacementElement& element, int degree) {
@@ -70,65 +95,59 @@ bool is_fixed_corner_bad(const PlacementElement& element, int degree) {
   return false;
 }
 
-AffineFunction function(const Piece& piece, std::size_t n) {
-  return {piece.rows[3 * n], piece.rows[3 * n + 1], piece.rows[3 * n + 2]};
-}
-
 /// Proof that no place makes the values at the corners of all pieces positive.
-bool is_hopeless(const std::vector<Piece>& pieces) {
-  std::vector<AffineFunction> values;
-  for (const Piece& piece : pieces)
-    for (std::size_t corner = 0; corner < std::min<std::size_t>(3, piece.rows.size() / 3); ++corner)
-      values.push_back(function(piece, corner));
-  const AffineOptimum best = maximise_least(values, 1e3 * reach);
+bool is_hopeless(AffineJacobians& jacobians) {
+  const AffineOptimum best = maximise_least(jacobians.corner_values(), 1e3 * reach);
   return best.bounded && best.value <= -proof_gap;
 }
 
-Placement untangle_elements(PlacementStar& star, const Point& start) {
+/// The pieces to look closer at: those where a coefficient that is no value of det J holds the optimum down.
+void find_tight(const AffineJacobians& jacobians, const AffineOptimum& optimum, std::vector<std::size_t>& tight) {
+  tight.clear();
+  for (std::size_t i = 0; i < 3; ++i) {
+    const int n = optimum.active[i];
+    if (n < 0 || optimum.share[i] <= 0 || jacobians.is_value(static_cast<std::size_t>(n))) continue;
+    tight.push_back(jacobians.piece_of(static_cast<std::size_t>(n)));
+  }
+  // Several optima, or rounding: any piece that is not positive there.
+  const auto functions = jacobians.functions();
+  if (tight.empty())
+    for (std::size_t n = 0; n < functions.size(); ++n)
+      if (functions[n](optimum.place) <= proof_gap && !jacobians.is_value(n)) tight.push_back(jacobians.piece_of(n));
+  std::sort(tight.begin(), tight.end());
+  tight.erase(std::unique(tight.begin(), tight.end()), tight.end());
+}
+
+Placement untangle_elements(PlacementStar& star, const Point& start, std::size_t most_pieces) {
   for (const PlacementElement& element : star.elements())
     if (is_fixed_corner_bad(element, star.degree())) return {Placement::Outcome::hopeless, start, -1};
-  const int d = jacobian_degree(star.degree());
-  const auto size = static_cast<std::size_t>(net_size(d));
-  std::vector<Piece> pieces;
-  for (std::size_t e = 0; e < star.count(); ++e) pieces.push_back(affine_jacobian(star, e));
-
-  std::vector<AffineFunction> functions;
+  thread_local AffineJacobians jacobians;
+  thread_local std::vector<std::size_t> tight;
+  jacobians.start(star);
   Placement best{Placement::Outcome::stuck, start, -1};
   for (int round = 0; round < most_rounds; ++round) {
-    functions.clear();
-    for (const Piece& piece : pieces)
-      for (std::size_t n = 0; n < size; ++n) functions.push_back(function(piece, n));
-    const AffineOptimum optimum = maximise_least(functions, reach);
+    const AffineOptimum optimum = maximise_least(jacobians.functions(), reach);
     const Point place = star.world(optimum.place);
     if (round == 0 || optimum.value > best.value) {
       best.place = place;
       best.value = optimum.value;
     }
-    // Coefficients are bounds only: the certificate may see further.
-    if (star.is_certified(place)) return {Placement::Outcome::placed, place, optimum.value};
-    if (is_hopeless(pieces)) {
+    // Coefficients are bounds only: the certificate may see further. It and the proof cost as much as many cuts, so
+    // that they are asked less and less often.
+    const bool is_milestone = (round & (round - 1)) == 0;
+    if ((is_milestone || optimum.value > 0) && star.is_certified(place))
+      return {Placement::Outcome::placed, place, optimum.value};
+    find_tight(jacobians, optimum, tight);
+    const bool is_last = tight.empty() || jacobians.pieces() + tight.size() > most_pieces || round + 1 == most_rounds;
+    if ((is_milestone || is_last) && is_hopeless(jacobians)) {
       best.outcome = Placement::Outcome::hopeless;
       return best;
     }
-    // Where a coefficient that is no value of det J holds the optimum down, look closer.
-    std::vector<std::size_t> tight;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const int n = optimum.active[i];
-      if (n < 0 || optimum.share[i] <= 0 || static_cast<std::size_t>(n) % size < 3) continue;
-      tight.push_back(static_cast<std::size_t>(n) / size);
+    if (is_last) {
+      if (!is_milestone && star.is_certified(place)) return {Placement::Outcome::placed, place, optimum.value};
+      return best;
     }
-    // Several optima, or rounding: any piece that is not positive there.
-    if (tight.empty())
-      for (std::size_t n = 0; n < functions.size(); ++n)
-        if (n % size >= 3 && functions[n](optimum.place) <= proof_gap) tight.push_back(n / size);
-    std::sort(tight.begin(), tight.end());
-    tight.erase(std::unique(tight.begin(), tight.end()), tight.end());
-    if (tight.empty() || pieces.size() + 3 * tight.size() > most_pieces) return best;
-    for (auto piece = tight.rbegin(); piece != tight.rend(); ++piece) {
-      const Piece parent = std::move(pieces[*piece]);
-      pieces.erase(pieces.begin() + static_cast<std::ptrdiff_t>(*piece));
-      quarter(d, parent, pieces);
-    }
+    for (const std::size_t piece : tight) jacobians.bisect(piece);
   }
   return best;
 }
@@ -154,10 +173,11 @@ Placement untangle_control_mesh(PlacementStar& star) {
 }  // namespace
 
 Placement untangle_point(int degree, std::span<const PlacementElement> elements, const Point& start,
-                         PlacementMeasure measure) {
+                         PlacementMeasure measure, int most_pieces) {
   assert(!elements.empty());
   PlacementStar star(degree, elements, start);
-  return measure == PlacementMeasure::element ? untangle_elements(star, start) : untangle_control_mesh(star);
+  return measure == PlacementMeasure::element ? untangle_elements(star, start, static_cast<std::size_t>(most_pieces))
+                                              : untangle_control_mesh(star);
 }
 
 }  // namespace pliant
