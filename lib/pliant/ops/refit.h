@@ -1,6 +1,7 @@
 #pragma once  // lib/pliant/ops/refit.h: a patch of elements before a change; fits geometry and fields of what replaces
               // it
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "pliant/mesh/mesh.h"
@@ -57,7 +58,13 @@ class Patch {
   /// What the linear fits of all columns share: about the mean of the control points of the elements of a face.
   struct Moments {
     Point mean;
-    double count = 0, xx = 0, xy = 0, yy = 0;
+    double count = 0;
+    bool along_x = true;              ///< the first of two orthogonal coordinates is x - mean, or y - mean
+    double ss = 0, tt = 0, lean = 0;  ///< their squares; the second is the other one less lean times the first
+    std::pair<double, double> split(const Vector& d) const {
+      const Vector r = d - mean;
+      return along_x ? std::pair{r.x, r.y - lean * r.x} : std::pair{r.y, r.x - lean * r.y};
+    }
   };
   Moments moments_of(FaceId face) const;
   Linear linear_of(int column, FaceId face, const Moments& moments) const;

@@ -21,11 +21,13 @@ using Weights = std::array<double, net_size(max_degree)>;
 struct Range {
   double low, high;
   double clamp(double v) const { return std::clamp(v, low, high); }
+  Range moved(double by) const { return {low + by, high + by}; }
 };
 
-/// Spreads a missing integral over values with positive weights, least change, within a range.
+/// Spreads a missing integral over values with positive weights, least change, each within its range (none: any value).
 /// Returns what could not be placed.
-double spread(double missing, std::span<const double> weights, std::span<double> values, const Range* range) {
+double spread(double missing, std::span<const double> weights, std::span<double> values,
+              std::span<const Range> ranges) {
   thread_local std::vector<char> full;
   full.assign(values.size(), 0);
   for (std::size_t round = 0; round <= values.size(); ++round) {
@@ -35,12 +37,12 @@ double spread(double missing, std::span<const double> weights, std::span<double>
     if (!(squares > 0) || missing == 0) return missing;
     const double step = missing / squares;
     bool clipped = false;
-    if (range)
+    if (!ranges.empty())
       for (std::size_t k = 0; k < values.size(); ++k) {
         if (full[k]) continue;
         const double wanted = values[k] + step * weights[k];
-        const double held = step * weights[k] > 0 ? std::min(wanted, std::max(range->high, values[k]))
-                                                  : std::max(wanted, std::min(range->low, values[k]));
+        const double held = step * weights[k] > 0 ? std::min(wanted, std::max(ranges[k].high, values[k]))
+                                                  : std::max(wanted, std::min(ranges[k].low, values[k]));
         if (held == wanted) continue;
         missing -= (held - values[k]) * weights[k];
         values[k] = held;
@@ -251,6 +253,14 @@ void Patch::fit_group(Mesh& mesh, std::span<const TriangleId> now, std::span<con
     }
   }
 
+  // What a residual may be at a place; the linear function's own value (0) is always allowed.
+  const auto residual_range = [&](const Point& place, int c) {
+    const double l = evaluate(linear[at(c)], place);
+    const Range& v = values[at(c)];
+    const Range& r = rests[at(c)];
+    return Range{std::min(0.0, std::max(v.low - l, r.low)), std::max(0.0, std::min(v.high - l, r.high))};
+  };
+
   for (int c = 0; c < columns; ++c) {
     // Least squares with one equality; what leaves its range is held at the bound, and the rest solved again.
     rest.setZero(n);
@@ -289,13 +299,7 @@ void Patch::fit_group(Mesh& mesh, std::span<const TriangleId> now, std::span<con
       bool clipped = false;
       for (const int i : open) {
         if (!limit) continue;
-        const double l = evaluate(linear[at(c)], mesh.point(unknowns[at(i)]));
-        const Range& v = values[at(c)];
-        const Range& r = rests[at(c)];
-        // In terms of residuals; the linear function's own value (0) is always allowed.
-        const double low = std::min(0.0, std::max(v.low - l, r.low)),
-                     high = std::max(0.0, std::min(v.high - l, r.high));
-        const double within = std::clamp(rest[i], low, high);
+        const double within = residual_range(mesh.point(unknowns[at(i)]), c).clamp(rest[i]);
         if (within == rest[i] && std::isfinite(rest[i])) continue;
         rest[i] = std::isfinite(rest[i]) ? within : 0.0;
         held[at(i)] = 1;
@@ -317,10 +321,12 @@ void Patch::fit_group(Mesh& mesh, std::span<const TriangleId> now, std::span<con
       thread_local std::vector<double> shares, held_values;
       thread_local std::vector<PointId> takers;
       thread_local std::vector<FaceId> taker_faces;
+      thread_local std::vector<Range> ranges;
       shares.clear();
       held_values.clear();
       takers.clear();
       taker_faces.clear();
+      ranges.clear();
       for (const TriangleId t : now) {
         if (!in_group(mesh.face(t))) continue;
         const auto ids = mesh.net(t);
@@ -331,9 +337,11 @@ void Patch::fit_group(Mesh& mesh, std::span<const TriangleId> now, std::span<con
           taker_faces.push_back(mesh.face(t));
           shares.push_back(weight_in_mesh(mesh, p, t, k, group.by_face));
           held_values.push_back(current(p, mesh.face(t), c));
+          // Limited as the free values are: residuals must not grow either, or functions of degree 1 do not last.
+          if (limit) ranges.push_back(residual_range(mesh.point(p), c).moved(evaluate(linear[at(c)], mesh.point(p))));
         }
       }
-      missing = spread(missing, shares, held_values, limit ? &values[at(c)] : nullptr);
+      missing = spread(missing, shares, held_values, ranges);
       for (std::size_t k = 0; k < takers.size(); ++k)
         mesh.put_component(group.fields[at(c)], group.components[at(c)], takers[k], taker_faces[k], held_values[k]);
       if (std::abs(missing) <= noise) break;
