@@ -3,18 +3,29 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <random>
 
 #include "pliant/geometry/bernstein.h"
+#include "pliant/geometry/jacobian.h"
 #include "pliant/geometry/linear_triangle.h"
 #include "pliant/geometry/optimal_placement.h"
 #include "pliant/ops/build_triangle.h"
+#include "pliant/ops/even_jacobian.h"
 #include "pliant/ops/node_basis.h"
 #include "pliant/ops/refit.h"
 
 namespace pliant {
 namespace {
 
-constexpr int max_sweeps = 12;        // of optimal placement over several free points
+constexpr int max_sweeps = 12;  // of optimal placement over several free points
+constexpr int least_sweeps = 2;
+constexpr double least_gain = 0.02;       // of the size of the least value: a sweep with less is the last
+constexpr int pieces_in_sweep = 64;       // a place that the next point's move changes need not be the very best
+constexpr std::size_t most_starts = 160;  // of the search, times the number of free points
+constexpr int max_steps = 12;             // of Gauss-Newton over all of them
+constexpr double wanted_ratio = 0.05;     // of det J's coefficients to their mean
+constexpr double weight_growth = 3;
+constexpr double least_share = 1e-6;  // of a logical triangle in the region
 constexpr double rounding = 0x1p-51;  // of a coordinate: shorter displacements are none
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
@@ -30,12 +41,46 @@ int index_in(std::span<const PointId> free, PointId p) {
   return found == free.end() ? -1 : static_cast<int>(found - free.begin());
 }
 
-/// Optimal placement of the free points, one after the other, until every element is valid.
-bool untangle(Mesh& mesh, std::span<const TriangleId> now, std::span<const PointId> free) {
+/// Gauss-Newton over all free points at once towards an even det J, with more and more weight on coefficients that are
+/// not positive. What each element should have: its share of the region, as the logical triangles divide it.
+bool even_out(Mesh& mesh, std::span<const TriangleId> now, std::span<const PointId> free) {
+  thread_local std::vector<double> targets, ratios, weights;
+  const std::size_t n = at(mesh.net_size()), m = at(net_size(jacobian_degree(mesh.degree())));
+  std::array<Point, net_size(max_degree)> net;
+  targets.clear();
+  double region = 0, logical = 0;
+  for (const TriangleId t : now) {
+    mesh.gather_points(t, net);
+    region += element_area(mesh.degree(), {net.data(), n});
+    targets.push_back(triangle_area(net[0], net[1], net[2]));
+    logical += targets.back();
+  }
+  // What a sliver's det J should be drowns in the rounding of coordinates.
+  const double least = least_share * logical;
+  if (!(region > 0) || !std::all_of(targets.begin(), targets.end(), [least](double x) { return x > least; }))
+    return false;
+  for (double& target : targets) target *= 2 * region / logical;
+  ratios.resize(m * now.size());
+  weights.assign(ratios.size(), 1.0);
+  for (int step = 0; step < max_steps; ++step) {
+    step_to_even_jacobian(mesh, now, free, targets, weights);
+    if (all_valid(mesh, now)) return true;
+    jacobian_ratios(mesh, now, targets, ratios);
+    for (std::size_t k = 0; k < ratios.size(); ++k)
+      if (ratios[k] < wanted_ratio) weights[k] *= weight_growth;
+  }
+  return false;
+}
+
+/// Optimal placement of the free points, one after the other, from where they are, until every element is valid or a
+/// sweep gains little.
+bool sweep_placements(Mesh& mesh, std::span<const TriangleId> now, std::span<const PointId> free) {
   const std::size_t n = at(mesh.net_size());
   std::array<std::array<Point, net_size(max_degree)>, 8> nets;
   std::array<PlacementElement, 8> elements;
+  double reached = -HUGE_VAL;
   for (int sweep = 0; sweep < max_sweeps; ++sweep) {
+    double least = HUGE_VAL;
     for (const PointId p : free) {
       std::size_t count = 0;
       for (const TriangleId t : now) {
@@ -47,11 +92,40 @@ bool untangle(Mesh& mesh, std::span<const TriangleId> now, std::span<const Point
         ++count;
       }
       if (count == 0) continue;
-      const Placement placement = untangle_point(mesh.degree(), {elements.data(), count}, mesh.point(p));
+      const Placement placement = untangle_point(mesh.degree(), {elements.data(), count}, mesh.point(p),
+                                                 PlacementMeasure::element, free.size() == 1 ? 400 : pieces_in_sweep);
+      least = std::min(least, placement.value);
       if (free.size() == 1 && placement.outcome != Placement::Outcome::placed) return false;
       if (is_finite(placement.place)) mesh.set_point(p, placement.place);
     }
     if (all_valid(mesh, now)) return true;
+    if (sweep >= least_sweeps && least < reached + least_gain * std::abs(reached)) break;
+    reached = std::max(reached, least);
+  }
+  return false;
+}
+
+/// One free point: its best place decides. Several: their best places depend on where the search begins; it does so
+/// from where they are, then from what evens out det J, then from chance places in the patch, the same ones in every
+/// run.
+bool untangle(Mesh& mesh, std::span<const TriangleId> now, std::span<const PointId> free) {
+  thread_local std::vector<Point> first;
+  first.clear();
+  for (const PointId p : free) first.push_back(mesh.point(p));
+  if (sweep_placements(mesh, now, free)) return true;
+  if (free.size() == 1) return false;
+  for (std::size_t k = 0; k < free.size(); ++k) mesh.set_point(free[k], first[k]);
+  if (even_out(mesh, now, free)) return true;
+  Box box;
+  for (const TriangleId t : now)
+    for (const PointId p : mesh.net(t))
+      if (index_in(free, p) < 0) box.extend(mesh.point(p));
+  std::minstd_rand random(1);
+  std::uniform_real_distribution<double> x(box.low.x, box.high.x), y(box.low.y, box.high.y);
+  const std::size_t starts = most_starts / free.size();
+  for (std::size_t start = 0; start < starts; ++start) {
+    for (const PointId p : free) mesh.set_point(p, {x(random), y(random)});
+    if (sweep_placements(mesh, now, free)) return true;
   }
   return false;
 }
@@ -167,7 +241,9 @@ bool Patch::fit_geometry(Mesh& mesh, std::span<const TriangleId> now, std::span<
       mesh.set_point(net[at(k)], straight(layout, k, mesh.point(net[0]), mesh.point(net[1]), mesh.point(net[2])) + d);
     }
   }
-  return all_valid(mesh, now) || untangle(mesh, now, free);
+  if (all_valid(mesh, now)) return true;
+  // Straight elements that are not valid are flat to rounding: to bend them would hide that.
+  return !are_straight && untangle(mesh, now, free);
 }
 
 }  // namespace pliant
