@@ -122,7 +122,8 @@ inline bool same_document(const MeshData& a, const MeshData& b) {
 /// Random inserts, splits, flips, removals and smoothings, those that keep the curves' shapes.
 class RandomOperations {
  public:
-  RandomOperations(Mesh& mesh, std::uint64_t seed) : mesh_(mesh), random_(seed) {}
+  RandomOperations(Mesh& mesh, std::uint64_t seed, int most_triangles = 80)
+      : mesh_(mesh), random_(seed), most_triangles_(most_triangles) {}
   void run(int count) {
     for (int k = 0; k < count; ++k) done += step();
   }
@@ -135,7 +136,7 @@ class RandomOperations {
     while (!mesh_.is_alive(t));
     const HalfEdgeId h = half_edge(t, static_cast<int>(random_() % 3));
     std::uniform_real_distribution<double> uniform(0.2, 0.8);
-    const bool grow = mesh_.triangle_count() < 80;
+    const bool grow = mesh_.triangle_count() < most_triangles_;
     switch (random_() % 8) {
       case 0:
         return grow && insert_point(mesh_, t, {0.3, 0.45, 0.25}).refusal == Refusal::done;
@@ -146,6 +147,9 @@ class RandomOperations {
         return flip_edge(mesh_, h) == Refusal::done;
       case 4:
       case 5:
+        // A vertex on a curve goes only where that leaves the curve as it is: after a split.
+        if (mesh_.is_constrained(h))
+          return remove_curve_vertex(mesh_, mesh_.origin(h), {1e-14 * mesh_.size()}).refusal == Refusal::done;
         return remove_inner_vertex(mesh_, mesh_.origin(h)) == Refusal::done;
       case 6:
         return smooth_edge(mesh_, h, SmoothGoal::improve) == Refusal::done;
@@ -156,6 +160,7 @@ class RandomOperations {
   }
   Mesh& mesh_;
   std::mt19937_64 random_;
+  int most_triangles_;
 };
 
 }  // namespace pliant

@@ -1,0 +1,150 @@
+// tests/ops/flip_search_test.cpp: flips of strongly curved pairs against a search for a place of the new edge
+#include <catch2/catch.hpp>
+#include <random>
+
+#include "ops/random_operations.h"
+#include "pliant/generate/mesh_from_boundary.h"
+#include "pliant/geometry/optimal_placement.h"
+#include "pliant/geometry/predicates.h"
+#include "pliant/geometry/validity.h"
+#include "pliant/mesh/check_mesh.h"
+#include "support/sample_boundaries.h"
+
+using namespace pliant;
+
+namespace {
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+/// The two elements after a flip of h, built here from the four outer edges alone.
+struct Flipped {
+  int degree;
+  std::array<std::vector<Point>, 2> nets;
+  std::vector<std::array<int, 2>> free;  // where each free point stands in the nets; -1: not there
+
+  Flipped(const Mesh& mesh, HalfEdgeId h) : degree(mesh.degree()) {
+    const HalfEdgeId g = mesh.twin(h);
+    const NetLayout& layout = mesh.layout();
+    const Point c = mesh.point(mesh.apex(h)), d = mesh.point(mesh.apex(g));
+    for (auto& net : nets) net.assign(at(mesh.net_size()), 0.5 * (c + d));
+    // First (d, c, a): edges dc, ca, ad; second (c, d, b): edges cd, db, bc.
+    const std::array<std::array<HalfEdgeId, 2>, 2> outer{{{previous(h), next(g)}, {previous(g), next(h)}}};
+    for (std::size_t side = 0; side < 2; ++side)
+      for (int e = 1; e < 3; ++e)
+        for (int k = 0; k <= degree; ++k)
+          nets[side][at(layout.edge_index(e, k))] = mesh.point(mesh.edge_point(outer[side][at(e - 1)], k));
+    for (int k = 1; k < degree; ++k) free.push_back({layout.edge_index(0, k), layout.edge_index(0, degree - k)});
+    for (int k = layout.first_interior(); k < mesh.net_size(); ++k) free.push_back({k, -1}), free.push_back({-1, k});
+  }
+  void place(const std::array<int, 2>& where, const Point& p) {
+    for (std::size_t side = 0; side < 2; ++side)
+      if (where[side] >= 0) nets[side][at(where[side])] = p;
+  }
+  Point point(const std::array<int, 2>& where) const {
+    return where[0] >= 0 ? nets[0][at(where[0])] : nets[1][at(where[1])];
+  }
+  bool is_valid() const {
+    return certify(degree, nets[0]) == Validity::valid && certify(degree, nets[1]) == Validity::valid;
+  }
+  Box box() const {
+    Box box;
+    for (const auto& net : nets)
+      for (const Point& p : net) box.extend(p);
+    return box;
+  }
+};
+
+/// p = 2: a grid of places for the one free point.
+bool grid_finds(Flipped pair) {
+  const Box box = pair.box();
+  constexpr int n = 60;
+  for (int i = 0; i <= n; ++i)
+    for (int j = 0; j <= n; ++j) {
+      pair.place(pair.free[0],
+                 {box.low.x + (box.high.x - box.low.x) * i / n, box.low.y + (box.high.y - box.low.y) * j / n});
+      if (pair.is_valid()) return true;
+    }
+  return false;
+}
+
+/// p > 2: sweeps of single placements from many random starts.
+bool search_finds(const Flipped& pair, std::mt19937_64& random) {
+  const Box box = pair.box();
+  std::uniform_real_distribution<double> x(box.low.x, box.high.x), y(box.low.y, box.high.y);
+  for (int start = 0; start < 30; ++start) {
+    Flipped trial = pair;
+    for (const auto& where : trial.free) trial.place(where, {x(random), y(random)});
+    for (int sweep = 0; sweep < 12; ++sweep) {
+      for (const auto& where : trial.free) {
+        std::vector<PlacementElement> around;
+        for (std::size_t side = 0; side < 2; ++side)
+          if (where[side] >= 0) around.push_back({trial.nets[side], where[side]});
+        const Placement placement = untangle_point(trial.degree, around, trial.point(where));
+        if (is_finite(placement.place)) trial.place(where, placement.place);
+      }
+      if (trial.is_valid()) return true;
+    }
+  }
+  return false;
+}
+
+/// Moves the inner control points by chance as far as the elements stay valid.
+void bend_inner_edges(Mesh& mesh, std::mt19937_64& random) {
+  std::normal_distribution<double> normal;
+  const int p = mesh.degree();
+  for (int round = 0; round < 40; ++round)
+    for (HalfEdgeId h = 0; h < 3 * mesh.triangle_slots(); ++h) {
+      if (!mesh.is_alive(triangle_of(h)) || mesh.is_constrained(h) || mesh.twin(h) == none) continue;
+      const double length = distance(mesh.point(mesh.origin(h)), mesh.point(mesh.target(h)));
+      for (int k = 1; k < p; ++k) {
+        const PointId q = mesh.edge_point(h, k);
+        Transaction attempt(mesh);
+        mesh.set_point(q, mesh.point(q) + 0.15 * length * Vector{normal(random), normal(random)});
+        if (certify_element(mesh, triangle_of(h)) == Validity::valid &&
+            certify_element(mesh, triangle_of(mesh.twin(h))) == Validity::valid)
+          attempt.commit();
+      }
+    }
+}
+
+}  // namespace
+
+TEST_CASE("a flip of strongly curved elements succeeds wherever a search finds a place for the new edge",
+          "[ops][property]") {
+  const int degree = GENERATE(2, 3);
+  CAPTURE(degree);
+  std::mt19937_64 random(7);
+  long done = 0, missed = 0, impossible = 0;
+  for (const BoundaryComplex& boundary : {samples::one_cell(degree), samples::annulus(degree),
+                                          samples::three_cells(degree), samples::interface(degree)}) {
+    Mesh original;
+    const GenerateOutcome outcome = mesh_from_boundary(boundary, {degree}, original);
+    REQUIRE(outcome.ok);
+    for (int variant = 0; variant < (degree == 2 ? 6 : 3); ++variant) {
+      Mesh bent = original;
+      for (int k = 0; k < 30; ++k) {
+        const auto t = static_cast<TriangleId>(random() % static_cast<unsigned>(bent.triangle_slots()));
+        insert_point(bent, t, {1.0 / 3, 1.0 / 3, 1.0 / 3});
+      }
+      bend_inner_edges(bent, random);
+      REQUIRE(find_invalid(bent).empty());
+      for (HalfEdgeId h = 0; h < 3 * bent.triangle_slots(); ++h) {
+        if (bent.twin(h) == none || bent.is_constrained(h) || h > bent.twin(h)) continue;
+        // Two edges on curves in one element would cover a corner of the boundary: refused for that.
+        const HalfEdgeId g = bent.twin(h);
+        if ((bent.is_constrained(previous(h)) && bent.is_constrained(next(g))) ||
+            (bent.is_constrained(previous(g)) && bent.is_constrained(next(h))))
+          continue;
+        Transaction undone(bent);
+        const Flipped pair(bent, h);
+        const Refusal refusal = flip_edge(bent, h);
+        if (refusal == Refusal::done) ++done;
+        if (refusal != Refusal::would_invert) continue;
+        (degree == 2 ? grid_finds(pair) : search_finds(pair, random)) ? ++missed : ++impossible;
+      }
+    }
+  }
+  CHECK(done > 300);
+  CHECK(impossible > 20);
+  CHECK(static_cast<double>(missed) <= (degree == 2 ? 0.0 : 0.01) * static_cast<double>(done + missed));
+}
