@@ -3,6 +3,8 @@
 #include <random>
 
 #include "generate/meshed_boundary.h"
+#include "pliant/geometry/linear_triangle.h"
+#include "pliant/improve/refine.h"
 #include "support/sample_boundaries.h"
 
 using namespace pliant;
@@ -90,6 +92,55 @@ BoundaryComplex in_far_field(BSpline outline, double radius) {
   curve.start = curve.end = 0;
   b.curves.push_back(std::move(curve));
   b.curves.push_back(closed_curve("far field", circle(3, {}, radius, 16), 0));
+  return b;
+}
+
+double value_of(const PassReport& report, const std::string& name) {
+  for (const auto& [known, value] : report.values)
+    if (known == name) return value;
+  FAIL("no value " << name);
+  return 0;
+}
+
+/// Refines, and holds the mesh to it: valid, and none of its elements left but where a small angle excuses it.
+void refine_all(Mesh& mesh, const QualityGoals& goals = {}) {
+  RefineOptions options;
+  options.goals = goals;
+  const PassReport report = refine(mesh, options);
+  double excused = 0;
+  for (const auto& [reason, times] : report.refusals) {
+    UNSCOPED_INFO(times << " times " << reason);
+    if (reason == "opposite a small angle") excused += static_cast<double>(times);
+  }
+  CHECK(find_invalid(mesh).empty());
+  CHECK(value_of(report, "left") <= excused);
+}
+
+/// Edge of a triangle of the logical mesh.
+double edge_length(const Mesh& mesh, HalfEdgeId h) {
+  return distance(mesh.point(mesh.origin(h)), mesh.point(mesh.target(h)));
+}
+
+/// Round cells of radius 0.3 to 0.8 at random in a box, no two of them closer than `gap`.
+BoundaryComplex cells_in_box(int count, double gap, std::uint64_t seed) {
+  std::mt19937_64 random(seed);
+  std::uniform_real_distribution<double> u(0, 1);
+  BoundaryComplex b = with_faces({"plasma"});
+  const double side = std::sqrt(count * 3.2);
+  add_walls(b, {0, 0}, {side, side}, 0);
+  std::vector<std::pair<Point, double>> made;
+  while (static_cast<int>(made.size()) < count) {
+    const double radius = 0.3 + 0.5 * u(random), room = side - 2 * (radius + gap);
+    const Point center{radius + gap + room * u(random), radius + gap + room * u(random)};
+    const auto is_close = [&](const auto& other) {
+      return distance(other.first, center) < other.second + radius + gap;
+    };
+    if (std::any_of(made.begin(), made.end(), is_close)) continue;
+    made.emplace_back(center, radius);
+    const int face = static_cast<int>(b.faces.size());
+    b.faces.push_back({"cell " + std::to_string(face), {}});
+    b.curves.push_back(closed_curve("", circle(2, center, radius), face, 0));
+  }
   return b;
 }
 
@@ -250,4 +301,87 @@ TEST_CASE("what is too close to be meshed is refused by names, parameters and co
   CHECK_FALSE(outcome.ok);
   CHECK_THAT(outcome.failure, Catch::Contains("curve 'side 2' (2), parameters 0.") && Catch::Contains("near (-0.") &&
                                   Catch::Contains("turns too sharply"));
+}
+
+TEST_CASE("five hundred cells close together in a box are refined, none of their elements left poor",
+          "[generate][hard][refine]") {
+  const double angle = GENERATE(20.7, 28.0);
+  for (const double gap : {0.02, 1e-4}) {
+    CAPTURE(angle, gap);
+    Mesh mesh = meshed(cells_in_box(500, gap, 7));
+    const int first = mesh.triangle_count();
+    QualityGoals goals;
+    goals.min_angle = angle;
+    refine_all(mesh, goals);
+    for (TriangleId t = 0; t < mesh.triangle_slots(); ++t) {
+      const Point &a = mesh.point(mesh.corner(t, 0)), &b = mesh.point(mesh.corner(t, 1)),
+                  &c = mesh.point(mesh.corner(t, 2));
+      if (!(least_angle(a, b, c) * 180 / std::numbers::pi >= angle - 1e-9) || triangle_area(a, b, c) <= 0) {
+        CAPTURE(t, a.x, a.y);
+        CHECK(false);
+      }
+    }
+    CHECK(mesh.triangle_count() <= (angle < 21 ? 2 : 3) * first);
+  }
+}
+
+TEST_CASE("rounded corners are refined to triangles in proportion to the logarithm of their size",
+          "[generate][hard][refine]") {
+  double before = 0;
+  for (const double fillet : {1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6}) {
+    CAPTURE(fillet);
+    Mesh mesh = meshed(filleted_gear(24, fillet));
+    refine_all(mesh);
+    if (before > 0) CHECK(mesh.triangle_count() <= before + 96 * 40);  // ten times smaller: so many more a corner
+    before = mesh.triangle_count();
+  }
+}
+
+TEST_CASE("sizes grow away from a small feature, and nothing is smaller than needed", "[generate][hard][refine]") {
+  for (const double size : {1e-2, 1e-4, 1e-6}) {
+    CAPTURE(size);
+    BoundaryComplex b = square();
+    b.curves.push_back(closed_curve("hole", circle(2, {0.4, 0.55}, size), outside, 0));
+    Mesh mesh = meshed(b);
+    refine_all(mesh);
+    // The hole's own edges are 0.7 of its radius long. From there on edges are as long as the distance asks for.
+    double worst = HUGE_VAL;
+    for (HalfEdgeId h = 0; h < 3 * mesh.triangle_slots(); ++h) {
+      const double away = std::min(distance(mesh.point(mesh.origin(h)), {0.4, 0.55}),
+                                   distance(mesh.point(mesh.target(h)), {0.4, 0.55}));
+      worst = std::min(worst, edge_length(mesh, h) / away);
+    }
+    CHECK(worst >= 0.2);
+    CHECK(mesh.triangle_count() <= 60 + 20 * std::log2(1 / size));
+  }
+}
+
+TEST_CASE(
+    "a wing in a far field is refined to sizes that grow ten thousandfold, with as many triangles as they ask for",
+    "[generate][hard][refine]") {
+  constexpr double finest = 1e-3, growth = 0.1;
+  Mesh mesh = meshed(in_far_field(profile(naca_0012, 60), 100));
+  QualityGoals goals;
+  goals.size = [&](const Point& p, double) {
+    return finest + growth * std::hypot(p.x - std::clamp(p.x, 0.0, 1.0), p.y);
+  };
+  refine_all(mesh, goals);
+  // Equilateral triangles of side h have an area of sqrt(3)/4 h^2 each.
+  double asked = 0, shortest = HUGE_VAL, longest = 0;
+  std::vector<Point> net(static_cast<std::size_t>(mesh.net_size()));
+  for (TriangleId t = 0; t < mesh.triangle_slots(); ++t) {
+    mesh.gather_points(t, net);
+    const double size = goals.size((net[0] + net[1] + net[2]) / 3, 0);
+    asked += element_area(mesh.degree(), net) / (std::numbers::sqrt3 / 4 * size * size);
+    for (int e = 0; e < 3; ++e) {
+      const double side = edge_length(mesh, half_edge(t, e));
+      shortest = std::min(shortest, side / size);
+      longest = std::max(longest, side / size);
+    }
+  }
+  CAPTURE(asked, shortest, longest);
+  CHECK(mesh.triangle_count() < 1.15 * asked);
+  CHECK(mesh.triangle_count() > 0.85 * asked);
+  CHECK(longest <= 1.5);
+  CHECK(shortest >= 0.2);
 }

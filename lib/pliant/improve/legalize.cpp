@@ -1,5 +1,7 @@
 #include "pliant/improve/legalize.h"
 
+#include <algorithm>
+
 #include "pliant/geometry/predicates.h"
 #include "pliant/ops/flip_edge.h"
 #include "pliant/ops/smooth_edge.h"
@@ -7,17 +9,26 @@
 namespace pliant {
 namespace {
 
-constexpr double mildly = 0.1, badly = 0.3;  // of an edge's length
+/// How far control points may be off an edge's chord, in lengths of the edge and in heights of the triangles beside it.
+struct Bend {
+  double of_length, of_height;
+};
+constexpr Bend mild{0.1, 0.3}, bad{0.3, 0.9};
 
-bool is_bent(const Mesh& mesh, HalfEdgeId h, double most_bend = mildly) {
+bool is_bent(const Mesh& mesh, HalfEdgeId h, const Bend& bend = mild) {
   const int p = mesh.degree();
   const Point &a = mesh.point(mesh.origin(h)), &b = mesh.point(mesh.target(h));
-  const double most = most_bend * most_bend * squared_length(b - a);
-  for (int k = 1; k < p; ++k) {
-    const double w = static_cast<double>(k) / p;
-    if (squared_length(mesh.point(mesh.edge_point(h, k)) - ((1 - w) * a + w * b)) > most) return true;
-  }
-  return false;
+  const Vector along = b - a;
+  double off = 0;  // squared
+  for (int k = 1; k < p; ++k)
+    off = std::max(off, squared_length(mesh.point(mesh.edge_point(h, k)) - (a + (static_cast<double>(k) / p) * along)));
+  const double length = squared_length(along);
+  if (off > bend.of_length * bend.of_length * length) return true;
+  const auto exceeds_height = [&](HalfEdgeId of) {
+    const double twice_area = cross(along, mesh.point(mesh.apex(of)) - a);
+    return off * length > bend.of_height * bend.of_height * twice_area * twice_area;
+  };
+  return exceeds_height(h) || exceeds_height(mesh.twin(h));
 }
 
 /// Straightens the bent edges of both triangles at h; false if there were none.
@@ -32,12 +43,12 @@ bool straighten_around(Mesh& mesh, HalfEdgeId h, const RefitOptions& refit) {
 /// may be far outside, and bends beget bends.
 Refusal flip_straight(Mesh& mesh, HalfEdgeId h, const RefitOptions& refit) {
   Transaction transaction(mesh);
-  const bool was_bad = is_bent(mesh, h, badly);
+  const bool was_bad = is_bent(mesh, h, bad);
   const Refusal refusal = flip_edge(mesh, h, refit);
   if (refusal != Refusal::done) return refusal;
   if (is_bent(mesh, h)) {
     straighten_around(mesh, h, refit);
-    if (!was_bad && is_bent(mesh, h, badly)) return Refusal::would_invert;
+    if (!was_bad && is_bent(mesh, h, bad)) return Refusal::would_invert;
   }
   transaction.commit();
   return Refusal::done;

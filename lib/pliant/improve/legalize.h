@@ -20,7 +20,7 @@ EdgeState edge_state(const Mesh& mesh, HalfEdgeId h);
 
 /// Makes the bent ones of these inner edges straight, where the elements stay valid; one that its neighbours' bends
 /// keep from it is tried again after them. Empties the list; true if it changed any. Bent: a control point is off its
-/// straight place by more than a tenth of the edge's length.
+/// straight place by more than a tenth of the edge's length, or three tenths of a height over it.
 bool straighten_bent(Mesh& mesh, std::vector<HalfEdgeId>& edges, const RefitOptions& refit);
 
 struct LegalizeCounts {

@@ -28,8 +28,9 @@ constexpr int failure = 20;             // counts as many splits that did not he
 constexpr int max_failures = 40;        // of one triangle
 constexpr double default_floor = 1e-9;  // of the mesh's size: least distance of two vertices
 constexpr double least_of_root = 0.25;  // no edge shorter than this part of the feature that it comes from
-constexpr double near_edge = 1e-3;      // of the distance to the nearest corner
-constexpr double off_center = 0.95;     // of the distance at which the triangle would be just good enough
+constexpr double least_of_longest = 0.2;
+constexpr double near_edge = 1e-3;   // of the distance to the nearest corner
+constexpr double off_center = 0.95;  // of the distance at which the triangle would be just good enough
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
@@ -81,17 +82,18 @@ class Refiner {
     const HalfEdgeId shortest = shortest_edge(t);
     const PointId p = mesh_.origin(shortest), q = mesh_.target(shortest);
     if (distance(mesh_.point(p), mesh_.point(q)) <= 2 * floor_) return give_up("at the least size");
-    if (attack.is_poor && !corners_.empty()) {
-      const double longest =
-          std::sqrt(std::max({squared(shortest), squared(next(shortest)), squared(previous(shortest))}));
-      if (corners_.is_along_shell(mesh_, shortest, longest)) return give_up("opposite a small angle");
-    }
+    const double longest =
+        std::sqrt(std::max({squared(shortest), squared(next(shortest)), squared(previous(shortest))}));
+    if (attack.is_poor && !corners_.empty() && corners_.is_along_shell(mesh_, shortest, longest))
+      return give_up("opposite a small angle");
     const auto corners = corners_of(t);
     const auto failures = failures_.find(corners);
     if (failures != failures_.end() && failures->second >= max_failures) {
       if (!attack.is_poor && split_longest(t)) return;  // what is too large can always be divided
       return give_up("circumcentre refused");
     }
+    // The circumcentre of a large triangle is at least half its longest edge away from all, if the mesh is Delaunay.
+    least_edge_ = least_of_longest * longest;
     // Mending a shape must not make edges much shorter than the features that the triangle's corners come from: with
     // the bounds on angles that can be kept this is what holds anyway (Ruppert); where curved edges or small angles
     // spoil that, it is what ends the refinement.

@@ -1,5 +1,4 @@
-#pragma once  // lib/pliant/improve/refine.h: circumcentres into elements too large, too poor or too curved (paper
-              // §5.3.2)
+#pragma once  // lib/pliant/improve/refine.h: points into elements too large, too poor or too curved (paper §5.3.2)
 #include "pliant/improve/sizing.h"
 #include "pliant/mesh/pass_report.h"
 #include "pliant/mesh/progress.h"
