@@ -141,7 +141,13 @@ class Drawing {
     }
     import_.boundary = std::move(arrangement.boundary);
     import_.intersections = arrangement.intersections;
+    import_.snapped = arrangement.tolerance * import_.size;
     import_.slivers = arrangement.slivers;
+    import_.sliver_area = arrangement.sliver_area;
+    if (import_.slivers > 0)
+      import_.warnings.push_back(std::to_string(import_.slivers) + (import_.slivers == 1 ? " sliver" : " slivers") +
+                                 " between shapes that nearly meet closed, of an area of " +
+                                 describe_number(import_.sliver_area) + " at most");
     import_.covered = static_cast<long>(faces.size() - import_.boundary.faces.size());
   }
 

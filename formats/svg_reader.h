@@ -10,8 +10,9 @@ namespace pliant {
 
 struct SvgReadOptions {
   int degree = 2;           ///< 2 or 3: of the curves at most; cubics are exact at 3
-  double tolerance = 1e-6;  ///< of cubics and arcs that are fitted, as a part of the drawing's size
-  bool planar = false;      ///< shapes may meet: each gives way to those painted after it (arrange)
+  double tolerance = 1e-6;  ///< of cubics and arcs that are fitted, as a part of the drawing's size; with `planar` also
+                            ///< of curves that run together
+  bool planar = false;  ///< shapes may meet: each gives way to those painted after it (arrange)
 };
 
 struct SvgImport {
@@ -24,7 +25,9 @@ struct SvgImport {
   long pieces = 0, fitted = 0;        ///< Bézier pieces, and those of them that are not exact
   long smooth = 0, corners = 0;       ///< joins of pieces
   long intersections = 0;             ///< of a planar drawing: places where curves meet
+  double snapped = 0;                 ///< length: curves that are closer run together
   long slivers = 0;                   ///< pieces of curves that were merged with one beside them
+  double sliver_area = 0;             ///< what lay between them, at most
   long covered = 0;                   ///< shapes of which nothing is left
   double size = 0;                    ///< diagonal of the box of all control points
   double error = 0;                   ///< bound of the distance from the drawing (length)

@@ -53,7 +53,9 @@ PassReport summarize(const SvgImport& import) {
   count("loops_without_area", import.no_area);
   count("loops_without_border", import.no_border);
   count("intersections", import.intersections);
+  report.add("snapped", import.snapped);
   count("slivers", import.slivers);
+  report.add("sliver_area", import.sliver_area);
   count("covered", import.covered);
   report.notes = import.warnings;
   return report;
@@ -86,7 +88,8 @@ int main(int argc, char** argv) {
   app.add_option("--degree", degree, "of the curves: 2, or 3, which takes cubic curves exactly")
       ->type_name("N")
       ->capture_default_str();
-  app.add_option("--tolerance", tolerance, "of cubic curves and arcs that are fitted, as a part of the drawing's size")
+  app.add_option("--tolerance", tolerance,
+                 "of cubic curves and arcs that are fitted, and of what meets, as a part of the drawing's size")
       ->type_name("T")
       ->capture_default_str();
   app.add_flag("--planar", svg.planar, "take shapes that meet; each face is what is seen of its shape");

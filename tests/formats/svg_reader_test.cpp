@@ -393,3 +393,19 @@ TEST_CASE("a planar drawing's faces are what is seen of its shapes", "[svg]") {
   CHECK(face_area(plain.boundary, "o") == Approx(face_area(planar.boundary, "o")).epsilon(1e-14));
   CHECK(planar.intersections == 0);
 }
+
+TEST_CASE("a border that two shapes share is one, however each has cut it", "[svg]") {
+  // The same cubic whole, and back in two parts whose numbers have five digits.
+  const std::string drawing =
+      svg("<path id='one' d='M0 0C30 40 71 47 103 0V-90H0z'/><path id='other' d='M103 0C91.16 17.39 78.0879 27.3874 "
+          "64.79676 31.05591C42.1659 37.3023 18.9 25.2 0 0V90H103z'/>");
+  const SvgImport import = read(drawing, {2, 1e-6, true});
+  REQUIRE(import.boundary.faces.size() == 2);
+  CHECK(import.boundary.curves.size() == 3);
+  CHECK(import.boundary.vertices.size() == 2);
+  CHECK(import.snapped == Approx(1e-6 * import.size));
+  CHECK(face_area(import.boundary, "one") + face_area(import.boundary, "other") == Approx(180 * 103).epsilon(1e-12));
+  const SvgImport exact = read(drawing, {2, 1e-10, true});  // the digits that are missing are told
+  CHECK(face_area(exact.boundary, "one") == Approx(face_area(import.boundary, "one")).epsilon(1e-6));
+  CHECK(exact.boundary.curves.size() > 3);
+}

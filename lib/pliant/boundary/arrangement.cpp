@@ -96,6 +96,7 @@ Arrangement attempt(const Painting& painting, const ArrangeOptions& options) {
   result.pieces = static_cast<long>(graph.edges.size());
   result.regions = graph.regions;
   result.slivers = graph.slivers;
+  result.sliver_area = std::ldexp(graph.sliver_area, 2 * network.exponent);
   for (const int n : graph.broken) {
     const Point& p = network.nodes[index(n)];
     result.faults.push_back(inconsistent_at({std::ldexp(p.x, network.exponent), std::ldexp(p.y, network.exponent)}));

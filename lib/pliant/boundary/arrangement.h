@@ -36,6 +36,7 @@ struct Arrangement {
   long pieces = 0;              ///< between them, each counted once
   long regions = 0;             ///< bounded regions of the plane between the pieces
   long slivers = 0;             ///< pieces merged with another that was not within the tolerance
+  double sliver_area = 0;       ///< the area between them, at most
   double tolerance = 0;         ///< that it took: the one that was asked for, or a coarser one
   std::vector<Fault> faults{};  ///< why the boundary must not be used; empty if all is well
 };

@@ -17,6 +17,12 @@ constexpr double clear_angle = 1e-6;  // radians between the hulls of arcs that 
 
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
+double polygon_length(std::span<const Point> polygon) {
+  double sum = 0;
+  for (std::size_t i = 1; i < polygon.size(); ++i) sum += distance(polygon[i - 1], polygon[i]);
+  return sum;
+}
+
 class GraphBuilder {
  public:
   GraphBuilder(const ArcNetwork& network, std::span<const SidedCurve> curves, const ArcTolerances& tolerances)
@@ -97,8 +103,13 @@ class GraphBuilder {
       if (most > tolerances_.sliver) return false;
     }
     // Ends were snapped; so far they may have moved the pieces.
-    graph_.slivers += most > 8 * tolerances_.touch;
+    if (most > 8 * tolerances_.touch) count_sliver(most * polygon_length(a));
     return true;
+  }
+
+  void count_sliver(double area) {
+    ++graph_.slivers;
+    graph_.sliver_area += area;
   }
 
   // ---- Slivers between nodes where more than two edges end ----
@@ -139,8 +150,10 @@ class GraphBuilder {
     const int sign = other[0] % 2 == 0 ? 1 : -1;
     for (const int half : kept) add_winding(graph_.edges[index(half / 2)].jump, jump, half % 2 == 0 ? sign : -sign);
     for (const int half : other) graph_.edges[index(half / 2)].jump.clear();
+    double length = 0;
+    for (const int half : other) length += polygon_length(network_.polygon(arc(half)));
+    count_sliver(length * tolerances_.sliver);
     other.clear();
-    ++graph_.slivers;
     return true;
   }
 

@@ -19,6 +19,7 @@ struct ArrangementGraph {
   long crowded_nodes = 0;        ///< with more than two edges
   long regions = 0;
   long slivers = 0;
+  double sliver_area = 0;   ///< at most, of all of them
   std::vector<int> broken;  ///< nodes about which the graph is not planar or not consistent; empty if all is well
 };
 
