@@ -81,6 +81,7 @@ class Strips {
     const double low = horizontal_ ? all_.low.y : all_.low.x, high = horizontal_ ? all_.high.y : all_.high.x;
     if (!(low < high)) return 0;
     const double share = ((horizontal_ ? p.y : p.x) - low) / (high - low);
+    if (!(share > 0)) return 0;  // also where the difference overflows
     return std::min(static_cast<std::size_t>(share * static_cast<double>(strips_.size())), strips_.size() - 1);
   }
 
