@@ -77,8 +77,8 @@ class Refiner {
       if (!split(attack.edge)) give_up("too curved: no room to split");
       return;
     }
-    if (attack.is_poor && is_turned_over(t))
-      if (const HalfEdgeId curve = find_curve_at(t); curve != none && split(curve)) return enqueue(t);
+    if (attack.is_poor)
+      if (const HalfEdgeId curve = curve_that_turns_over(mesh_, t); curve != none && split(curve)) return enqueue(t);
     const HalfEdgeId shortest = shortest_edge(t);
     const PointId p = mesh_.origin(shortest), q = mesh_.target(shortest);
     if (distance(mesh_.point(p), mesh_.point(q)) <= 2 * floor_) return give_up("at the least size");
@@ -108,40 +108,6 @@ class Refiner {
       if (attack.is_poor) ++failures_[corners];
       enqueue(t);
     }
-  }
-
-  bool is_turned_over(TriangleId t) const {
-    return orient2d(mesh_.point(mesh_.corner(t, 0)), mesh_.point(mesh_.corner(t, 1)),
-                    mesh_.point(mesh_.corner(t, 2))) <= 0;
-  }
-  /// Logical triangles are turned over where a curve is far from its chord. The curve that bends most beside those that
-  /// hang together with t.
-  HalfEdgeId find_curve_at(TriangleId t) {
-    constexpr double least_bend = 1e-3;  // of the chord: a shorter one does nothing
-    cavity_.assign(1, t);
-    HalfEdgeId found = none;
-    double most = 0;
-    for (std::size_t k = 0; k < cavity_.size() && k < 100; ++k)
-      for (int e = 0; e < 3; ++e) {
-        const HalfEdgeId h = half_edge(cavity_[k], e);
-        if (mesh_.is_constrained(h)) {
-          const double bend = bend_of(h);
-          if (bend > std::max(most, least_bend * std::sqrt(squared(h)))) most = bend, found = h;
-        } else if (is_turned_over(cavity_[k])) {
-          const TriangleId other = triangle_of(mesh_.twin(h));
-          if (std::find(cavity_.begin(), cavity_.end(), other) == cavity_.end()) cavity_.push_back(other);
-        }
-      }
-    return found;
-  }
-  /// How far control points are off the chord.
-  double bend_of(HalfEdgeId h) const {
-    const Point& a = mesh_.point(mesh_.origin(h));
-    const Vector along = mesh_.point(mesh_.target(h)) - a;
-    double most = 0;
-    for (int k = 1; k < mesh_.degree(); ++k)
-      most = std::max(most, std::fabs(cross(along, mesh_.point(mesh_.edge_point(h, k)) - a)));
-    return most / length(along);
   }
 
   /// Inserts the off-centre of a poor triangle, which makes its shortest edge's new triangle just good enough (Üngör),

@@ -10,7 +10,7 @@ namespace {
 
 constexpr int most_steps = 64;  // along a curve towards a corner
 constexpr FaceId several = -2;
-constexpr double corner_reach = 1.95;   // lengths of a triangle within which a small angle excuses it
+constexpr double corner_reach = 1.95;  // lengths of a triangle within which a small angle excuses it
 constexpr double most_extent = 3;      // of a triangle along a shell, in the shell's radius
 constexpr double same_distance = 1.2;  // of two vertices from a corner
 

@@ -1,8 +1,10 @@
 #include "pliant/improve/split_place.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <span>
+#include <vector>
 
 #include "pliant/geometry/control_net.h"
 #include "pliant/geometry/predicates.h"
@@ -42,6 +44,20 @@ bool turns_over(const Mesh& mesh, HalfEdgeId h, const Point& x, bool at_origin) 
   if (behind == none || mesh.is_constrained(behind)) return true;
   const Point& beyond = mesh.point(mesh.apex(behind));
   return sign * orient2d(end, x, beyond) <= 0 || sign * orient2d(x, apex, beyond) <= 0;
+}
+
+bool is_turned_over(const Mesh& mesh, TriangleId t) {
+  return orient2d(mesh.point(mesh.corner(t, 0)), mesh.point(mesh.corner(t, 1)), mesh.point(mesh.corner(t, 2))) <= 0;
+}
+
+/// How far control points are off the chord.
+double bend_of(const Mesh& mesh, HalfEdgeId h) {
+  const Point& a = mesh.point(mesh.origin(h));
+  const Vector along = mesh.point(mesh.target(h)) - a;
+  double most = 0;
+  for (int k = 1; k < mesh.degree(); ++k)
+    most = std::max(most, std::fabs(cross(along, mesh.point(mesh.edge_point(h, k)) - a)));
+  return most / length(along);
 }
 
 double balanced_place(const Mesh& mesh, HalfEdgeId h, const SharpCorners& corners, std::span<const double> polygon) {
@@ -85,6 +101,27 @@ double split_place(const Mesh& mesh, HalfEdgeId h, const SharpCorners& corners) 
     s = first ? (s + 1) / 2 : s / 2;  // the chord to the far end leans less the nearer x is to the other
   }
   return place;
+}
+
+HalfEdgeId curve_that_turns_over(const Mesh& mesh, TriangleId t) {
+  constexpr double least_bend = 1e-3;  // of the chord: a shorter one does nothing
+  if (!is_turned_over(mesh, t)) return none;
+  std::vector<TriangleId> cluster{t};
+  HalfEdgeId found = none;
+  double most = 0;
+  for (std::size_t k = 0; k < cluster.size() && k < 100; ++k)
+    for (int e = 0; e < 3; ++e) {
+      const HalfEdgeId h = half_edge(cluster[k], e);
+      if (mesh.is_constrained(h)) {
+        const double bend = bend_of(mesh, h);
+        const double chord = distance(mesh.point(mesh.origin(h)), mesh.point(mesh.target(h)));
+        if (bend > std::max(most, least_bend * chord)) most = bend, found = h;
+      } else if (is_turned_over(mesh, cluster[k])) {
+        const TriangleId other = triangle_of(mesh.twin(h));
+        if (std::find(cluster.begin(), cluster.end(), other) == cluster.end()) cluster.push_back(other);
+      }
+    }
+  return found;
 }
 
 }  // namespace pliant

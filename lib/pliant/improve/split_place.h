@@ -9,4 +9,8 @@ namespace pliant {
 /// otherwise: a curve bends past vertices that stand close to it, and its chord does not.
 double split_place(const Mesh& mesh, HalfEdgeId h, const SharpCorners& corners);
 
+/// Logical triangles are turned over where a curve is far from its chord: the edge on a curve that bends most beside
+/// those that hang together with t; none where t is not turned over, or nothing beside it bends.
+HalfEdgeId curve_that_turns_over(const Mesh& mesh, TriangleId t);
+
 }  // namespace pliant
