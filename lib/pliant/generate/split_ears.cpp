@@ -9,6 +9,7 @@
 namespace pliant {
 namespace {
 
+constexpr int most_steps = 100;  // through triangles behind an ear
 constexpr double pi = std::numbers::pi;
 
 /// Never valid, or valid only by the last bits; or so nearly flat that a curved element can hardly be good there, while
@@ -61,7 +62,7 @@ class EarSplitter {
     return false;
   }
 
-  /// Along the bisector of the tangents, about a leg's length away, but still in the ear or the triangle behind it.
+  /// Along the bisector of the tangents, about a leg's length away, or half way to a curve that stands nearer.
   Point place(int h, const CornerAngle& corner) {
     const Point origin = at(mesh_.origin(h));
     const BoundarySpan& span = spans_[static_cast<std::size_t>(mesh_.span(h))];
@@ -72,24 +73,25 @@ class EarSplitter {
                        (tangent.x * std::sin(half) + tangent.y * std::cos(half)) / norm};
     const int opposite = next(h), a = mesh_.origin(opposite), b = mesh_.target(opposite);
     const double leg = std::min(distance(origin, at(a)), distance(origin, at(b)));
+    // On through the triangles behind, as far as no curve stands in the way.
     double reach = 0.8 * leg;
-    int holder = h / 3;
-    const double leaves = ray_meets(origin, along, at(a), at(b));
-    if (reach >= leaves && mesh_.span(opposite) < 0 && mesh_.twin(opposite) >= 0) {
-      const int g = mesh_.twin(opposite), c = mesh_.origin(previous(g));
-      const double end = std::min(ray_meets(origin, along, at(a), at(c)), ray_meets(origin, along, at(b), at(c)));
-      if (std::isfinite(end) && end > leaves) {
-        reach = std::min(reach, (leaves + end) / 2);
-        holder = g / 3;
-      } else {
-        reach = leaves / 2;
+    int leave = opposite;
+    for (int step = 0; step < most_steps; ++step) {
+      const double leaves = ray_meets(origin, along, at(mesh_.origin(leave)), at(mesh_.target(leave)));
+      if (reach < leaves) break;
+      if (mesh_.span(leave) >= 0 || mesh_.twin(leave) < 0 || step + 1 == most_steps) {
+        reach = std::min(reach, leaves / 2);
+        break;
       }
-    } else {
-      reach = std::min(reach, leaves / 2);
+      const int g = mesh_.twin(leave);
+      const Vector tip = at(mesh_.origin(previous(g))) - origin;
+      leave = cross(along, tip) > 0 ? next(g) : previous(g);
     }
     const Point result = origin + reach * along;
-    has_point_[static_cast<std::size_t>(holder)] = true;
-    split_by_[static_cast<std::size_t>(holder)] = result;
+    for (const int holder : {h / 3, leave / 3}) {
+      has_point_[static_cast<std::size_t>(holder)] = true;
+      split_by_[static_cast<std::size_t>(holder)] = result;
+    }
     return result;
   }
 
