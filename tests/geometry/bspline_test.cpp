@@ -96,6 +96,38 @@ TEST_CASE("knot insertion keeps the curve, its first knot and its parameter rang
   END_EVERY_CURVE
 }
 
+TEST_CASE("an insertion taken back leaves the curve bit for bit", "[geometry][property]") {
+  const bool closed = GENERATE(false, true);
+  const int degree = GENERATE(1, 2, 3, 5);
+  CAPTURE(closed, degree);
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> unit(0, 1);
+  int local = 0, round_the_seam = 0;
+  for (unsigned seed = 0; seed < 100; ++seed) {
+    const BSpline before = random_curve(degree, closed, seed);
+    BSpline curve = before;
+    const double t = seed % 4 == 0 ? before.breaks()[1] : before.first_parameter() + unit(random) * before.period();
+    if (before.multiplicity(t) >= degree) continue;
+    const auto insertion = curve.insert_knot_locally(t);
+    if (!insertion) {
+      ++round_the_seam;
+      CHECK(closed);
+      CHECK(curve.points() == before.points());
+      curve.insert_knot(t);
+      CHECK(greatest_distance(before, curve) < 1e-13);
+      continue;
+    }
+    ++local;
+    CHECK(greatest_distance(before, curve) < 1e-13);
+    CHECK(curve.multiplicity(t) == before.multiplicity(t) + 1);
+    curve.take_back(*insertion);
+    CHECK(curve.points() == before.points());
+    CHECK(curve.knots() == before.knots());
+  }
+  CHECK(local > 10);
+  if (closed && degree > 1) CHECK(round_the_seam > 10);
+}
+
 TEST_CASE("removal undoes insertion to rounding, knots exactly", "[geometry][property]") {
   EVERY_CURVE
   for (const double t : parameters(curve, 7)) {

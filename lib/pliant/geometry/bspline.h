@@ -1,4 +1,5 @@
 #pragma once  // lib/pliant/geometry/bspline.h: planar B-spline curves of any degree, open (clamped) and closed
+#include <array>
 #include <optional>
 #include <span>
 #include <string>
@@ -68,6 +69,16 @@ class BSpline {
   /// Inserts t (once more): shape unchanged. Requires first < t < last or closed; multiplicity < degree after.
   /// Complexity O(degree^2) arithmetic, O(points) moves
   void insert_knot(double t);
+  /// What one insertion changed: enough to take it back bit for bit.
+  struct KnotInsertion {
+    int knot, first, count;  ///< index of the new knot; of the first new control point; how many are new
+    std::array<Point, max_curve_degree> points;  ///< those that were there, one less
+  };
+  /// The same, unless control points on both sides of a closed curve's seam change: then empty, curve unchanged.
+  /// Complexity O(degree^2) arithmetic, O(points) bytes moved by the memory's own speed
+  std::optional<KnotInsertion> insert_knot_locally(double t);
+  /// Requires that nothing has changed since.
+  void take_back(const KnotInsertion& insertion);
 
   /// Removes break t once; `error` is a bound of the distance between old and new curve (largest movement of a control
   /// point in the old knots: exact bound by the partition of unity). The new control points minimise it in the
@@ -92,6 +103,8 @@ class BSpline {
   double arc_length() const;  ///< to 1e-12 relative on tame curves, by Gauss rules on halved spans
 
  private:
+  /// An insertion of t, its points those that will be there.
+  KnotInsertion plan_insertion(double& t) const;
   /// Control point i, periodically continued on a closed curve.
   const Point& point(int i) const;
   /// The greatest i (stored; open: below the last non-empty span's end) with knot(i) <= t.

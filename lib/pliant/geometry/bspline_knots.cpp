@@ -63,28 +63,52 @@ struct Stretch {
 
 }  // namespace
 
-void BSpline::insert_knot(double t) {
-  const int p = degree_, n = static_cast<int>(points_.size());
+BSpline::KnotInsertion BSpline::plan_insertion(double& t) const {
+  const int p = degree_;
   if (closed_ && t == last_parameter()) t = first_parameter();
   assert(first_parameter() <= t && t < last_parameter() && (closed_ || t > first_parameter()));
   const int s = multiplicity(t), k = interval(t);
   assert(s < p);
-  std::array<Point, max_curve_degree> changed;  // the new points k - p + 1 .. k - s
-  const int from = k - p + 1, count = p - s;
-  for (int j = 0; j < count; ++j) {
-    const int i = from + j;
+  KnotInsertion plan{k + 1, k - p + 1, p - s, {}};
+  for (int j = 0; j < plan.count; ++j) {
+    const int i = plan.first + j;
     const double alpha = (t - knot(i)) / (knot(i + p) - knot(i));
-    changed[static_cast<std::size_t>(j)] = (1 - alpha) * point(i - 1) + alpha * point(i);
+    plan.points[static_cast<std::size_t>(j)] = (1 - alpha) * point(i - 1) + alpha * point(i);
   }
+  return plan;
+}
+
+std::optional<BSpline::KnotInsertion> BSpline::insert_knot_locally(double t) {
+  KnotInsertion plan = plan_insertion(t);
+  const int last = plan.first + plan.count - 1;
+  if (plan.first < 0 || last > static_cast<int>(points_.size())) return std::nullopt;
+  std::array<Point, max_curve_degree> old{};
+  std::copy_n(points_.begin() + plan.first, plan.count - 1, old.begin());
+  points_.insert(points_.begin() + last, Point{});
+  std::copy_n(plan.points.begin(), plan.count, points_.begin() + plan.first);
+  knots_.insert(knots_.begin() + plan.knot, t);
+  plan.points = old;
+  return plan;
+}
+
+void BSpline::take_back(const KnotInsertion& insertion) {
+  knots_.erase(knots_.begin() + insertion.knot);
+  points_.erase(points_.begin() + insertion.first + insertion.count - 1);
+  std::copy_n(insertion.points.begin(), insertion.count - 1, points_.begin() + insertion.first);
+}
+
+void BSpline::insert_knot(double t) {
+  if (insert_knot_locally(t)) return;
+  const KnotInsertion plan = plan_insertion(t);
+  const int n = static_cast<int>(points_.size());
   std::vector<Point> next(static_cast<std::size_t>(n) + 1);
   for (int slot = 0; slot <= n; ++slot) {
-    const int j = closed_ ? modulo(slot - from, n + 1) : slot - from;
-    next[static_cast<std::size_t>(slot)] = j < 0       ? point(slot)
-                                           : j < count ? changed[static_cast<std::size_t>(j)]
-                                                       : point(from + j - 1);
+    const int j = modulo(slot - plan.first, n + 1);
+    next[static_cast<std::size_t>(slot)] =
+        j < plan.count ? plan.points[static_cast<std::size_t>(j)] : point(plan.first + j - 1);
   }
   points_ = std::move(next);
-  knots_.insert(knots_.begin() + k + 1, t);
+  knots_.insert(knots_.begin() + plan.knot, t);
 }
 
 std::optional<double> BSpline::remove_knot(double t) {

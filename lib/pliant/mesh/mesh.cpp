@@ -32,6 +32,7 @@ enum class Mesh::Log : std::uint32_t {
   insert_place,
   erase_place,
   spline,
+  knot,
   value
 };
 
@@ -257,6 +258,19 @@ void Mesh::set_spline(CurveId c, BSpline spline, double removal_error) {
   curve.removal_error = removal_error;
 }
 
+void Mesh::insert_knot(CurveId c, double t) {
+  Curve& curve = boundary_.curves[at(c)];
+  if (const auto insertion = curve.spline.insert_knot_locally(t)) {
+    if (recording_ == 0) return;
+    log(Log::knot, 0, 0);
+    knot_log_.push_back({c, *insertion});
+    return;
+  }
+  BSpline spline = curve.spline;
+  spline.insert_knot(t);
+  set_spline(c, std::move(spline), curve.removal_error);
+}
+
 // -- undoing
 
 void Mesh::undo(std::size_t mark) {
@@ -357,6 +371,10 @@ void Mesh::undo(std::size_t mark) {
         spline_log_.pop_back();
         break;
       }
+      case Log::knot:
+        boundary_.curves[at(knot_log_.back().curve)].spline.take_back(knot_log_.back().insertion);
+        knot_log_.pop_back();
+        break;
       default: {
         const auto field = static_cast<std::uint32_t>(entry.what) - static_cast<std::uint32_t>(Log::value);
         fields_[field].values[i] = real;
@@ -371,6 +389,7 @@ void Transaction::commit() {
   if (--mesh_.recording_ == 0) {
     mesh_.log_.clear();
     mesh_.spline_log_.clear();
+    mesh_.knot_log_.clear();
   }
 }
 

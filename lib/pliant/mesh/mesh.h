@@ -107,6 +107,8 @@ class Mesh {
   void free_constraint(ConstraintId c);
   void set_vertex_half_edge(PointId v, HalfEdgeId h);
   void set_spline(CurveId c, BSpline spline, double removal_error);
+  /// Inserts a knot into a curve, as BSpline does: what the change costs does not grow with the curve.
+  void insert_knot(CurveId c, double t);
   /// Drops places of by-face fields that name a face no longer around the point.
   void drop_place(PointId p, FaceId f);
 
@@ -130,6 +132,10 @@ class Mesh {
     CurveId curve;
     BSpline spline;
     double removal_error;
+  };
+  struct KnotBackup {
+    CurveId curve;
+    BSpline::KnotInsertion insertion;
   };
   template <class I>
   static constexpr std::size_t at(I i) {
@@ -172,6 +178,7 @@ class Mesh {
   std::vector<std::int32_t> free_triangles_, free_points_, free_constraints_;
   std::vector<LogEntry> log_;
   std::vector<SplineBackup> spline_log_;
+  std::vector<KnotBackup> knot_log_;
   int recording_ = 0;
   bool changed_ = false;
 };

@@ -167,11 +167,10 @@ InsertResult split_edge(Mesh& mesh, HalfEdgeId h, double s) {
   if (constraint != none) {
     const CurveId curve = mesh.constraint_curve(constraint);
     const bool forward = mesh.constraint_first(constraint) == a;
-    BSpline spline = mesh.spline(curve);
-    const double t0 = mesh.constraint_start(constraint), t1 = spline.span_end(t0);
+    const double t0 = mesh.constraint_start(constraint), t1 = mesh.spline(curve).span_end(t0);
     const double t = t0 + (forward ? s : 1 - s) * (t1 - t0);
     if (!(t0 < t && t < t1)) return {Refusal::would_invert, none};
-    spline.insert_knot(t);
+    mesh.insert_knot(curve, t);
     const ConstraintId added = mesh.add_constraint(curve, t, x);
     const auto mark = [&mesh](const std::array<HalfEdgeId, 2>& half, ConstraintId c) {
       for (const HalfEdgeId g : half)
@@ -180,6 +179,7 @@ InsertResult split_edge(Mesh& mesh, HalfEdgeId h, double s) {
     mark(forward ? first_half : second_half, constraint);
     mark(forward ? second_half : first_half, added);
     // The mesh takes the curve's own extraction, so that M4 holds to the last bits however often edges are split.
+    const BSpline& spline = mesh.spline(curve);
     std::array<Point, max_degree + 1> bezier;
     for (const double start : {t0, t}) {
       spline.extract(start, {bezier.data(), static_cast<std::size_t>(p + 1)});
@@ -187,8 +187,6 @@ InsertResult split_edge(Mesh& mesh, HalfEdgeId h, double s) {
       for (int k = 1; k < p; ++k) mesh.set_point(half[forward ? k : p - k], bezier[static_cast<std::size_t>(k)]);
       if (start == t) mesh.set_point(x, bezier[0]);
     }
-    const double error = mesh.boundary().curves[static_cast<std::size_t>(curve)].removal_error;
-    mesh.set_spline(curve, std::move(spline), error);
   } else {
     for (const HalfEdgeId g : {first_half[0], first_half[1], second_half[0], second_half[1]})
       if (g != none) mesh.set_constraint(g, none);

@@ -18,12 +18,12 @@ namespace pliant {
 namespace {
 
 constexpr int max_sweeps = 12;  // of optimal placement over several free points
-constexpr int least_sweeps = 2;
-constexpr double least_gain = 0.02;       // of the size of the least value: a sweep with less is the last
-constexpr int pieces_in_sweep = 64;       // a place that the next point's move changes need not be the very best
-constexpr std::size_t most_starts = 160;  // of the search, times the number of free points
-constexpr int max_steps = 12;             // of Gauss-Newton over all of them
-constexpr double wanted_ratio = 0.05;     // of det J's coefficients to their mean
+constexpr int least_sweeps = 4;
+constexpr double least_gain = 0.002;       // of the size of the least value: a sweep with less is the last
+constexpr int pieces_in_sweep = 200;       // a place that the next point's move changes need not be the very best
+constexpr std::size_t most_starts = 1600;  // of the search, times the square of the number of free points
+constexpr int max_steps = 12;              // of Gauss-Newton over all of them
+constexpr double wanted_ratio = 0.05;      // of det J's coefficients to their mean
 constexpr double weight_growth = 3;
 constexpr double least_share = 1e-6;  // of a logical triangle in the region
 constexpr double rounding = 0x1p-51;  // of a coordinate: shorter displacements are none
@@ -122,7 +122,7 @@ bool untangle(Mesh& mesh, std::span<const TriangleId> now, std::span<const Point
       if (index_in(free, p) < 0) box.extend(mesh.point(p));
   std::minstd_rand random(1);
   std::uniform_real_distribution<double> x(box.low.x, box.high.x), y(box.low.y, box.high.y);
-  const std::size_t starts = most_starts / free.size();
+  const std::size_t starts = most_starts / (free.size() * free.size());
   for (std::size_t start = 0; start < starts; ++start) {
     for (const PointId p : free) mesh.set_point(p, {x(random), y(random)});
     if (sweep_placements(mesh, now, free)) return true;
