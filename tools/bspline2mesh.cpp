@@ -57,6 +57,7 @@ void refine_to(Mesh& mesh, const CriteriaOptions& criteria, PassReport& report) 
   options.goals = criteria.goals(mesh, compile_size);
   options.progress = start_refinement(mesh, options.goals);
   if (!mesh.criteria.min_angle) mesh.criteria.min_angle = options.goals.min_angle;
+  options.refit.straight_below = 0.05;  // inner edges become straight in the end
   PassReport refined = refine(mesh, options);
   report.values.insert(report.values.end(), refined.values.begin(), refined.values.end());
   for (const auto& [reason, times] : refined.refusals) report.refuse(reason, times);

@@ -24,6 +24,9 @@ enum class Projection { l2, conservative, limited };
 
 struct RefitOptions {
   Projection projection = Projection::limited;
+  /// A flip of elements whose control points are off their straight places by less than this part of their extent lays
+  /// the new edge straight (0: only of straight ones): for meshes whose inner edges are to be straight in the end.
+  double straight_below = 0;
 };
 
 }  // namespace pliant

@@ -18,9 +18,11 @@ class Patch {
 
   /// Places the free control points of the elements `now` (same logical region): the displacement field chi - identity
   /// of the logical region is fitted in the least-squares sense, never longer than the old displacement; where that is
-  /// not valid, optimal placement. True if all of `now` are certified valid.
+  /// not valid, optimal placement. Displacements below `straight_below` of the extent count as none.
+  /// True if all of `now` are certified valid.
   /// Paper §5.2.3; design: Flip, "Geometry first".
-  bool fit_geometry(Mesh& mesh, std::span<const TriangleId> now, std::span<const PointId> free) const;
+  bool fit_geometry(Mesh& mesh, std::span<const TriangleId> now, std::span<const PointId> free,
+                    double straight_below = 0) const;
 
   /// Refits the fields of the free control points in the (final) geometry of `now`: weighted least squares against the
   /// old function at physical quadrature points, integral kept and values limited as options.projection says.
@@ -52,6 +54,8 @@ class Patch {
     const std::size_t i = e.first_row + static_cast<std::size_t>(k * width_);
     return {rows_[i], rows_[i + 1]};
   }
+  /// The longest edge of the old elements' straight triangles.
+  double extent() const;
   /// The displacements of the free points: those of the old elements, projected.
   void fit_displacement(const Mesh& mesh, std::span<const TriangleId> now, std::span<const PointId> free,
                         std::span<const double> displacement, std::span<Vector> solution) const;

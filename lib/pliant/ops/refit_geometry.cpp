@@ -148,6 +148,14 @@ void Patch::capture(const Mesh& mesh, std::span<const TriangleId> old) {
   origin_ = old_point(elements_[0], 0);
 }
 
+double Patch::extent() const {
+  double longest = 0;  // squared
+  for (const Element& e : elements_)
+    for (int c = 0; c < 3; ++c)
+      longest = std::max(longest, squared_length(old_point(e, (c + 1) % 3) - old_point(e, c)));
+  return std::sqrt(longest);
+}
+
 void Patch::fit_displacement(const Mesh& mesh, std::span<const TriangleId> now, std::span<const PointId> free,
                              std::span<const double> displacement, std::span<Vector> solution) const {
   const NetLayout& layout = NetLayout::of(degree_);
@@ -205,7 +213,8 @@ void Patch::fit_displacement(const Mesh& mesh, std::span<const TriangleId> now, 
   for (Eigen::Index u = 0; u < unknowns; ++u) solution[static_cast<std::size_t>(u)] = {right(u, 0), right(u, 1)};
 }
 
-bool Patch::fit_geometry(Mesh& mesh, std::span<const TriangleId> now, std::span<const PointId> free) const {
+bool Patch::fit_geometry(Mesh& mesh, std::span<const TriangleId> now, std::span<const PointId> free,
+                         double straight_below) const {
   if (free.empty()) return all_valid(mesh, now);
   const NetLayout& layout = NetLayout::of(degree_);
   // The old displacements, as nets over the straight triangles, and how long they are: below the rounding of the
@@ -228,20 +237,27 @@ bool Patch::fit_geometry(Mesh& mesh, std::span<const TriangleId> now, std::span<
 
   thread_local std::vector<Vector> solution;
   solution.assign(free.size(), Vector{});
-  if (!are_straight) fit_displacement(mesh, now, free, displacement, solution);
-  for (const TriangleId t : now) {
-    const auto net = mesh.net(t);
-    for (int k = 3; k < n_; ++k) {
-      const int u = index_in(free, net[at(k)]);
-      if (u < 0) continue;
-      Vector d = solution[at(u)];
-      if (!is_finite(d)) d = {0, 0};
-      const double far = std::sqrt(squared_length(d));
-      if (far > longest) d *= longest / far;
-      mesh.set_point(net[at(k)], straight(layout, k, mesh.point(net[0]), mesh.point(net[1]), mesh.point(net[2])) + d);
+  const auto place = [&] {
+    for (const TriangleId t : now) {
+      const auto net = mesh.net(t);
+      const Point &a = mesh.point(net[0]), &b = mesh.point(net[1]), &c = mesh.point(net[2]);
+      for (int k = 3; k < n_; ++k) {
+        const int u = index_in(free, net[at(k)]);
+        if (u < 0) continue;
+        Vector d = solution[at(u)];
+        if (!is_finite(d)) d = {0, 0};
+        const double far = std::sqrt(squared_length(d));
+        if (far > longest) d *= longest / far;
+        mesh.set_point(net[at(k)], straight(layout, k, a, b, c) + d);
+      }
     }
+    return all_valid(mesh, now);
+  };
+  if ((are_straight || longest <= straight_below * extent()) && place()) return true;
+  if (!are_straight) {
+    fit_displacement(mesh, now, free, displacement, solution);
+    if (place()) return true;
   }
-  if (all_valid(mesh, now)) return true;
   // Straight elements that are not valid are flat to rounding: to bend them would hide that.
   return !are_straight && untangle(mesh, now, free);
 }
