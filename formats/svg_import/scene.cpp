@@ -16,9 +16,9 @@ constexpr int max_nesting = 400;  // of elements as painted, through `use`
 
 /// Elements that hold what others refer to, or what is not to be seen at all.
 const std::unordered_set<std::string_view> silent{
-    "defs",          "symbol",  "title",     "desc",           "metadata",       "style",      "clipPath",    "mask",
-    "marker",        "pattern", "filter",    "linearGradient", "radialGradient", "solidColor", "view",        "cursor",
-    "color-profile", "font",    "font-face", "line",           "script",         "hatch",      "meshgradient"};
+    "defs",          "symbol",  "title",     "desc",           "metadata",       "style",       "clipPath", "mask",
+    "marker",        "pattern", "filter",    "linearGradient", "radialGradient", "solidColor",  "view",     "cursor",
+    "color-profile", "font",    "font-face", "script",         "hatch",          "meshgradient"};
 
 /// What is inherited, and where we are.
 struct State {
@@ -247,7 +247,8 @@ class Walker {
       return;
     }
     if (state.stroke != "none" && state.stroke != "transparent") notices_.add("strokes are not read", element);
-    if (state.transparent || opacity_of(state.fill_opacity) <= 0 || !paints(state.fill, element)) {
+    if (element.name == "line" || state.transparent || opacity_of(state.fill_opacity) <= 0 ||
+        !paints(state.fill, element)) {
       ++scene_.unfilled;
       return;
     }

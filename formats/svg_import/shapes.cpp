@@ -103,7 +103,7 @@ double length_of(const Element& element, const char* attribute, Along along, con
 
 bool is_shape(std::string_view name) {
   return name == "path" || name == "rect" || name == "circle" || name == "ellipse" || name == "polygon" ||
-         name == "polyline";
+         name == "polyline" || name == "line";
 }
 
 Outline outline_of(const Element& element, const Viewport& viewport) {

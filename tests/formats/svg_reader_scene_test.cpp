@@ -61,7 +61,7 @@ TEST_CASE("what has no fill or is not shown is left out and counted", "[svg]") {
   CHECK(import.boundary.faces[0].name == "in");
   CHECK(import.boundary.faces[1].name == "back");
   CHECK(import.boundary.faces[2].name == "seen");
-  CHECK(import.unfilled == 6);
+  CHECK(import.unfilled == 7);  // a line has no inside
   CHECK(import.hidden == 4);
   CHECK(import.warnings.empty());
 }
@@ -94,13 +94,13 @@ TEST_CASE("what a style sheet has beyond simple selectors is named in a warning"
 TEST_CASE("each kind of thing that is not read is named in one warning", "[svg]") {
   const std::string text =
       warnings("<defs><linearGradient id='g'/><pattern id='p'/><clipPath id='c'/></defs><g clip-path='url(#c)'>" +
-               square(0, "fill='url(#g)' stroke='red'") + square(1, "stroke='blue'") + "</g>" +
-               square(2, "fill='url(#p)'") + square(3, "fill='url(#nowhere) red'") +
+               square(0, "fill='url(#g)' stroke='red'") + square(1, "stroke='blue'") +
+               "<line x2='1' stroke='red'/></g>" + square(2, "fill='url(#p)'") + square(3, "fill='url(#nowhere) red'") +
                square(4, "mask='url(#m)' filter='url(#f)'") + square(5, "style='transform:rotate(3deg)'") +
                "<text>a</text><text>b</text><image/><use/><use href='other.svg#x'/><use href='#nowhere'/>" +
                "<animate/><flowRoot/><script/><foreignObject/>" + square(6, "fill='url(#nowhere)'"));
   for (const char* expected :
-       {"strokes are not read (2 times, first at line 2)", "a gradient is taken for a colour (line 2)",
+       {"strokes are not read (3 times, first at line 2)", "a gradient is taken for a colour (line 2)",
         "a pattern is taken for a colour", "clip paths do not cut anything off", "masks do not hide anything",
         "filters change nothing", "transforms in styles are not read", "text is not read (2 times",
         "image is not read (line 2)", "use without href shows nothing", "other files are not read (use)",
