@@ -12,7 +12,7 @@ struct SvgReadOptions {
   int degree = 2;           ///< 2 or 3: of the curves at most; cubics are exact at 3
   double tolerance = 1e-6;  ///< of cubics and arcs that are fitted, as a part of the drawing's size; with `planar` also
                             ///< of curves that run together
-  bool planar = false;  ///< shapes may meet: each gives way to those painted after it (arrange)
+  bool planar = false;      ///< shapes may meet: each gives way to those painted after it (arrange)
 };
 
 struct SvgImport {
