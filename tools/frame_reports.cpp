@@ -45,6 +45,20 @@ std::string text_of(const char* format, double value) {
   return text;
 }
 
+/// Where it was refused first; nothing if the pass did not say.
+std::string some_places(const PassReport& report, const std::string& reason, long times) {
+  constexpr long most = 3;
+  std::string text;
+  long count = 0;
+  for (const RefusedAt& refused : report.refused_at) {
+    if (refused.reason != reason || count == most) continue;
+    ++count;
+    text += (count > 1 ? ", (" : ", at (") + text_of("%.6g", refused.place.x) + ", " +
+            text_of("%.6g", refused.place.y) + ")";
+  }
+  return text + (count > 0 && times > count ? ", ..." : "");
+}
+
 }  // namespace
 
 void FrameReports::State::write_line(const Frame& frame, double time, const PassReport& report,
@@ -61,7 +75,12 @@ void FrameReports::State::write_line(const Frame& frame, double time, const Pass
   for (const auto& [name, value] : report.values) out.name(name).raw(number(value));
   out.end_object().name("refusals").begin_object();
   for (const auto& [reason, times] : report.refusals) out.name(reason).value(static_cast<std::int64_t>(times));
-  out.end_object().name("notes").begin_array();
+  out.end_object().name("refused_at").begin_array();
+  for (const auto& [reason, place] : report.refused_at) {
+    out.begin_object().name("reason").value(reason);
+    out.name("x").raw(number(place.x)).name("y").raw(number(place.y)).end_object();
+  }
+  out.end_array().name("notes").begin_array();
   for (const std::string& note : report.notes) out.value(note);
   out.end_array().name("seconds").begin_object();
   for (const auto& [name, value] : seconds) out.name(name).raw(text_of("%.6f", value));
@@ -84,7 +103,7 @@ void FrameReports::State::print(const Frame& frame, double time, const PassRepor
   line += std::string(comma) + text_of("%.3f s", total);
   say(options, line);
   for (const auto& [reason, times] : report.refusals)
-    say(options, "  refused " + std::to_string(times) + " times: " + reason);
+    say(options, "  refused " + std::to_string(times) + " times: " + reason + some_places(report, reason, times));
   for (const std::string& note : report.notes) say(options, "  " + note);
 }
 

@@ -39,6 +39,7 @@ int main(int argc, char** argv) {
         report.add("triangles", mesh.triangle_count());
         report.add("half", 0.5);
         report.refuse("would \"invert\"", 3);
+        for (int k = 0; k < 1200; ++k) report.refuse("too far", {0.5 + k, -2});
         report.notes.push_back("nothing was done");
         return report;
       },

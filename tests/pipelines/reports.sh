@@ -13,9 +13,14 @@ lines = [json.loads(line) for line in open("report.jsonl")]
 assert len(lines) == 4
 for number, line in enumerate(lines):
     assert line["tool"] == sys.argv[1] and line["frame"] == number
-    assert set(line) == {"tool", "frame", "time", "values", "refusals", "notes", "seconds"}
+    assert set(line) == {"tool", "frame", "time", "values", "refusals", "refused_at", "notes", "seconds"}
     assert all(isinstance(value, (int, float)) for value in line["values"].values())
     assert all(isinstance(value, int) and value > 0 for value in line["refusals"].values())
+    for refused in line["refused_at"]:
+        assert set(refused) == {"reason", "x", "y"} and refused["reason"] in line["refusals"]
+    for reason, times in line["refusals"].items():
+        places = sum(refused["reason"] == reason for refused in line["refused_at"])
+        assert places <= 1000 and places in (0, times, 1000)
     assert set(line["seconds"]) == {"read", "check", "pass", "write"}
 PYTHON
   run 0 filter "$tool" -v series.jsonl
@@ -25,6 +30,7 @@ done
 run 0 passthrough -v disk.json
 says 'passthrough: frame 0, time 0: triangles 24, half 0.5, '
 says '  refused 3 times: would "invert"'
+says '  refused 1200 times: too far, at (0.5, -2), (1.5, -2), (2.5, -2), ...'
 says '  nothing was done'
 
 # Frames that were done before a failure are reported.

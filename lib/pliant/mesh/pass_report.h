@@ -3,23 +3,37 @@
 #include <utility>
 #include <vector>
 
+#include "pliant/geometry/point.h"
+
 namespace pliant {
+
+/// One thing that a pass would have done but could not, and where.
+struct RefusedAt {
+  std::string reason;
+  Point place;  ///< in the mesh that the pass leaves: an edge's middle, a vertex
+};
 
 /// What a pass did: named counts and values in a fixed order, then refusals by reason. `--report` writes it as JSON, -v
 /// as text.
 struct PassReport {
+  static constexpr long most_places = 1000;  ///< of a reason; more are counted but not listed
+
   std::vector<std::pair<std::string, double>> values;  ///< whole numbers where they count something
   std::vector<std::pair<std::string, long>> refusals;  ///< reason -> how often; only those that occurred
+  std::vector<RefusedAt> refused_at;                   ///< those with a place, at most `most_places` a reason
   std::vector<std::string> notes;                      ///< sentences for -v: what blocks, what stays poor
 
   void add(std::string name, double value) { values.emplace_back(std::move(name), value); }
-  void refuse(const std::string& reason, long times = 1) {
+  /// Counts a refusal `times` times; the count so far.
+  long refuse(const std::string& reason, long times = 1) {
     for (auto& [name, count] : refusals)
-      if (name == reason) {
-        count += times;
-        return;
-      }
+      if (name == reason) return count += times;
     refusals.emplace_back(reason, times);
+    return times;
+  }
+  /// Counts one refusal, and lists its place unless its reason has `most_places` already.
+  void refuse(const std::string& reason, const Point& place) {
+    if (refuse(reason) <= most_places) refused_at.push_back({reason, place});
   }
 };
 
