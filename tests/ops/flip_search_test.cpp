@@ -2,7 +2,7 @@
 #include <catch2/catch.hpp>
 #include <random>
 
-#include "ops/random_operations.h"
+#include "ops/carried_domains.h"
 #include "pliant/generate/mesh_from_boundary.h"
 #include "pliant/geometry/optimal_placement.h"
 #include "pliant/geometry/predicates.h"
@@ -86,25 +86,6 @@ bool search_finds(const Flipped& pair, std::mt19937_64& random) {
     }
   }
   return false;
-}
-
-/// Moves the inner control points by chance as far as the elements stay valid.
-void bend_inner_edges(Mesh& mesh, std::mt19937_64& random) {
-  std::normal_distribution<double> normal;
-  const int p = mesh.degree();
-  for (int round = 0; round < 40; ++round)
-    for (HalfEdgeId h = 0; h < 3 * mesh.triangle_slots(); ++h) {
-      if (!mesh.is_alive(triangle_of(h)) || mesh.is_constrained(h) || mesh.twin(h) == none) continue;
-      const double length = distance(mesh.point(mesh.origin(h)), mesh.point(mesh.target(h)));
-      for (int k = 1; k < p; ++k) {
-        const PointId q = mesh.edge_point(h, k);
-        Transaction attempt(mesh);
-        mesh.set_point(q, mesh.point(q) + 0.15 * length * Vector{normal(random), normal(random)});
-        if (certify_element(mesh, triangle_of(h)) == Validity::valid &&
-            certify_element(mesh, triangle_of(mesh.twin(h))) == Validity::valid)
-          attempt.commit();
-      }
-    }
 }
 
 }  // namespace

@@ -6,7 +6,6 @@
 
 #include "pliant/mesh/star.h"
 #include "pliant/ops/flip_edge.h"
-#include "pliant/ops/recover_parent.h"
 
 namespace pliant {
 namespace {
@@ -47,10 +46,9 @@ bool reduce_fan(Mesh& mesh, PointId v, Fan& fan, bool closed, int triangles, con
   }
 }
 
-bool recover_merged(const Mesh& mesh, PointId v, const Fan& fan, std::vector<double>& parent,
-                    const std::vector<double>* long_edge) {
-  const int p = mesh.degree(), n = mesh.net_size(), width = mesh.width();
-  const NetLayout& layout = mesh.layout();
+bool recover_merged(const Mesh& mesh, PointId v, std::span<const PointId> fan, ParentRecovery& parent,
+                    std::span<const Point> long_edge) {
+  const int p = mesh.degree();
   const HalfEdgeId h0 = find_half_edge(mesh, v, fan[0]), h1 = find_half_edge(mesh, v, fan[1]);
   // Where v divides the long edge: the ratio of the tangents on either side of it.
   const HalfEdgeId back = previous(h1);  // fan[2] to v
@@ -61,23 +59,11 @@ bool recover_merged(const Mesh& mesh, PointId v, const Fan& fan, std::vector<dou
   const Barycentric on_edge{1 - s, 0, s};      // corners fan[0], fan[1], fan[2]
   const Barycentric q0{1, 0, 0}, q1{0, 1, 0}, q2{0, 0, 1};
 
-  thread_local std::vector<double> first, second;
-  first.resize(at(n * width));
-  second.resize(first.size());
-  parent.assign(first.size(), 0.0);
-  mesh.gather(triangle_of(h0), first);
-  mesh.gather(triangle_of(h1), second);
-  std::vector<char> known(at(n), 0);
-  const auto copy_row = [&](std::span<const double> from, int row, int to) {
-    std::copy_n(from.begin() + row * width, width, parent.begin() + to * width);
-    known[at(to)] = 1;
-  };
-  for (int k = 0; k <= p; ++k) {
-    copy_row(first, layout.edge_index(edge_of(next(h0)), k), layout.edge_index(0, k));
-    copy_row(second, layout.edge_index(edge_of(next(h1)), k), layout.edge_index(1, k));
-  }
-  if (long_edge)
-    for (int k = 1; k < p; ++k) copy_row(*long_edge, k, layout.edge_index(2, k));
+  parent.start(mesh, std::array<TriangleId, 2>{triangle_of(h0), triangle_of(h1)});
+  parent.take_edge(0, 0, edge_of(next(h0)));
+  parent.take_edge(1, 1, edge_of(next(h1)));
+  if (!parent.find_edge(2, 1 - s, {1, edge_of(back)}, {0, edge_of(h0)})) return false;
+  if (!long_edge.empty()) parent.place_edge(2, long_edge);
   // The pieces in their own corner order: v at local corner edge_of(h).
   const auto corners = [&](HalfEdgeId h, const Barycentric& origin, const Barycentric& target,
                            const Barycentric& apex) {
@@ -87,10 +73,7 @@ bool recover_merged(const Mesh& mesh, PointId v, const Fan& fan, std::vector<dou
     c[at((edge_of(h) + 2) % 3)] = apex;
     return c;
   };
-  const auto c0 = corners(h0, on_edge, q0, q1), c1 = corners(h1, on_edge, q1, q2);
-  const std::array<PieceOfParent, 2> pieces{PieceOfParent{first, c0[0], c0[1], c0[2]},
-                                            PieceOfParent{second, c1[0], c1[1], c1[2]}};
-  return recover_parent(p, width, pieces, known, parent, subdivision_tolerance * mesh.size(), mesh.size());
+  return parent.find_inner(std::array{corners(h0, on_edge, q0, q1), corners(h1, on_edge, q1, q2)});
 }
 
 TriangleId merge_fan(Mesh& mesh, HalfEdgeId h, const EdgePoints& long_edge) {

@@ -1,13 +1,13 @@
 #pragma once  // lib/pliant/ops/merge.h: two triangles of a fan become one; three become one
+#include <span>
 #include <vector>
 
 #include "pliant/mesh/mesh.h"
 #include "pliant/ops/build_triangle.h"
 #include "pliant/ops/outcome.h"
+#include "pliant/ops/recover_parent.h"
 
 namespace pliant {
-
-inline constexpr double subdivision_tolerance = 1e-12;  ///< of the size: residual of what counts as a subdivision
 
 /// The link vertices of one side of v, in counter-clockwise order: triangles (v, link[i], link[i + 1]).
 using Fan = std::vector<PointId>;
@@ -16,11 +16,11 @@ using Fan = std::vector<PointId>;
 /// left. False when no ear can be flipped: the caller rolls back.
 bool reduce_fan(Mesh& mesh, PointId v, Fan& fan, bool closed, int triangles, const RefitOptions& options);
 
-/// The rows of a parent of the two triangles (v, fan[0], fan[1]) and (v, fan[1], fan[2]) if they are a subdivision of
-/// one with an edge from fan[0] to fan[2]. Corner order of the parent: fan[0], fan[1], fan[2].
-/// `long_edge`: rows of the parent's edge fan[2] to fan[0] (degree + 1 of them) where they are known already.
-bool recover_merged(const Mesh& mesh, PointId v, const Fan& fan, std::vector<double>& parent,
-                    const std::vector<double>* long_edge = nullptr);
+/// The parent of the two triangles (v, fan[0], fan[1]) and (v, fan[1], fan[2]) if they are a subdivision of one with an
+/// edge from fan[0] to fan[2]. Corner order of the parent: fan[0], fan[1], fan[2].
+/// `long_edge`: the control points of the parent's edge fan[2] to fan[0] where they are known already; else empty.
+bool recover_merged(const Mesh& mesh, PointId v, std::span<const PointId> fan, ParentRecovery& parent,
+                    std::span<const Point> long_edge = {});
 
 /// Replaces the triangles of h (v to fan[0]) and of the next spoke h1 (v to fan[1]) by one, with `long_edge` from
 /// fan[2] to fan[0]; frees the spoke between them. Returns the triangle. The caller frees v, links the long edge and

@@ -37,9 +37,24 @@ class Patch {
     double c0 = 0, c1 = 0, c2 = 0;
   };
   Linear linear_of(int column, FaceId face) const;
+  /// What the linear fits of all columns share: about the mean of the control points of the elements of a face.
+  struct Moments {
+    Point mean;
+    double count = 0;
+    bool along_x = true;              ///< the first of two orthogonal coordinates is x - mean, or y - mean
+    double ss = 0, tt = 0, lean = 0;  ///< their squares; the second is the other one less lean times the first
+    std::pair<double, double> split(const Vector& d) const {
+      const Vector r = d - mean;
+      return along_x ? std::pair{r.x, r.y - lean * r.x} : std::pair{r.y, r.x - lean * r.y};
+    }
+  };
+  Moments moments_of(FaceId face) const;
+  Linear linear_of(int column, FaceId face, const Moments& moments) const;
   double evaluate(const Linear& linear, const Point& p) const {
     return linear.c0 + linear.c1 * (p.x - origin_.x) + linear.c2 * (p.y - origin_.y);
   }
+  /// The rows of all old elements, one after the other.
+  std::span<const double> all_rows() const { return rows_; }
 
  private:
   struct Element {
@@ -59,19 +74,6 @@ class Patch {
   /// The displacements of the free points: those of the old elements, projected.
   void fit_displacement(const Mesh& mesh, std::span<const TriangleId> now, std::span<const PointId> free,
                         std::span<const double> displacement, std::span<Vector> solution) const;
-  /// What the linear fits of all columns share: about the mean of the control points of the elements of a face.
-  struct Moments {
-    Point mean;
-    double count = 0;
-    bool along_x = true;              ///< the first of two orthogonal coordinates is x - mean, or y - mean
-    double ss = 0, tt = 0, lean = 0;  ///< their squares; the second is the other one less lean times the first
-    std::pair<double, double> split(const Vector& d) const {
-      const Vector r = d - mean;
-      return along_x ? std::pair{r.x, r.y - lean * r.x} : std::pair{r.y, r.x - lean * r.y};
-    }
-  };
-  Moments moments_of(FaceId face) const;
-  Linear linear_of(int column, FaceId face, const Moments& moments) const;
   void fit_group(Mesh& mesh, std::span<const TriangleId> now, std::span<const PointId> free, const Group& group,
                  const RefitOptions& options, bool region_kept) const;
 

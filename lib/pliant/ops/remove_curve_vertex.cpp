@@ -256,11 +256,15 @@ CurveRemoval remove_curve_vertex(Mesh& mesh, PointId v, const CurveTolerance& to
   thread_local Patch merging;
   if (region_kept) merging.capture(mesh, {before.data(), star.outgoing.size()});
 
-  // Where the elements are a subdivision, its parents' rows come back. Each side finds the long edge for itself: fields
-  // by face differ there, and what is shared comes out the same.
-  std::vector<std::vector<double>> parents(fans.size());
-  bool restored = true;
-  for (std::size_t k = 0; k < fans.size() && restored; ++k) restored = recover_merged(mesh, v, fans[k], parents[k]);
+  // Where the elements are a subdivision, its parents' rows come back, with the curve's own control points. Each side
+  // finds the long edge for itself: fields by face differ there, and what is shared comes out the same.
+  thread_local std::array<ParentRecovery, 2> parents;
+  bool restored = region_kept;
+  for (std::size_t k = 0; k < fans.size() && restored; ++k) {
+    std::array<Point, max_degree + 1> long_edge = merged;
+    if (fans[k][0] == from) std::reverse(long_edge.begin(), long_edge.begin() + p + 1);
+    restored = recover_merged(mesh, v, fans[k], parents[k], {long_edge.data(), at(p + 1)});
+  }
 
   // Topology. The long edge of a fan runs from its last vertex to its first.
   const EdgePoints old_before = side_of(mesh, now.before).points, old_after = side_of(mesh, now.after).points;
@@ -325,8 +329,7 @@ CurveRemoval remove_curve_vertex(Mesh& mesh, PointId v, const CurveTolerance& to
   if (restored) {
     for (std::size_t k = 0; k < fans.size(); ++k)
       for (int i = mesh.layout().first_interior(); i < mesh.net_size(); ++i)
-        mesh.set_point(mesh.net(merged_triangles[k])[at(i)],
-                       {parents[k][at(i * width)], parents[k][at(i * width + 1)]});
+        mesh.set_point(mesh.net(merged_triangles[k])[at(i)], parents[k].point(i));
   } else if (!patch.fit_geometry(mesh, merged_triangles, inner)) {
     return {Refusal::would_invert, *error};
   }
@@ -360,8 +363,7 @@ CurveRemoval remove_curve_vertex(Mesh& mesh, PointId v, const CurveTolerance& to
       for (std::size_t k = 0; k < fans.size(); ++k) {
         const TriangleId t = merged_triangles[k];
         for (int i = 3 + 2 * (p - 1); i < mesh.net_size(); ++i)  // the long edge's points, then the inner ones
-          mesh.put_fields(mesh.net(t)[at(i)], mesh.face(t),
-                          std::span<const double>(parents[k]).subspan(at(i * width), at(width)));
+          mesh.put_fields(mesh.net(t)[at(i)], mesh.face(t), parents[k].row(i));
       }
     } else {
       std::vector<PointId> free(edge.ids.begin() + 1, edge.ids.begin() + p);

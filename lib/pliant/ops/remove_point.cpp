@@ -19,60 +19,57 @@ void put_rows(Mesh& mesh, TriangleId t, std::span<const double> rows, int first,
   for (int k = first; k < last; ++k) mesh.put_row(mesh.net(t)[at(k)], mesh.face(t), rows.subspan(at(k) * width, width));
 }
 
-/// The rows of the parent of the three triangles of v if they are its subdivision; corners in the order of the star.
-bool recover_of_three(const Mesh& mesh, const Star& star, std::vector<double>& parent) {
-  const int p = mesh.degree(), n = mesh.net_size(), width = mesh.width();
+/// The parent of the three triangles of v if they are its subdivision; corners in the order of the star.
+bool recover_of_three(const Mesh& mesh, const Star& star, ParentRecovery& parent) {
+  const int p = mesh.degree();
   const NetLayout& layout = mesh.layout();
-  std::array<std::vector<double>, 3> rows;
-  parent.assign(at(n * width), 0.0);
-  std::vector<char> known(at(n), 0);
+  std::array<TriangleId, 3> old;
+  for (int c = 0; c < 3; ++c) old[at(c)] = triangle_of(star.outgoing[at(c)]);
+  parent.start(mesh, old);
+  for (int c = 0; c < 3; ++c) parent.take_edge(c, c, edge_of(next(star.outgoing[at(c)])));
+  // The first step of de Casteljau at each corner tells where v is: the corner + xi2 (along 12) + xi3 (along 13) at the
+  // first, and so on. Least squares over all of them.
+  double aa = 0, ab = 0, bb = 0, ar = 0, br = 0;
   for (int c = 0; c < 3; ++c) {
-    const HalfEdgeId h = star.outgoing[at(c)];
-    rows[at(c)].resize(at(n * width));
-    mesh.gather(triangle_of(h), rows[at(c)]);
-    for (int k = 0; k <= p; ++k) {
-      const int to = layout.edge_index(c, k), from = layout.edge_index(edge_of(next(h)), k);
-      std::copy_n(rows[at(c)].begin() + from * width, width, parent.begin() + to * width);
-      known[at(to)] = 1;
-    }
+    // The blossom with every argument but one at this corner, the last at each of the three corners.
+    std::array<Point, 3> last;
+    last[at(c)] = parent.point(c);
+    last[at((c + 1) % 3)] = parent.point(layout.edge_index(c, 1));
+    last[at((c + 2) % 3)] = parent.point(layout.edge_index((c + 2) % 3, p - 1));
+    const Vector a = last[1] - last[0], b = last[2] - last[0];
+    const Vector r = mesh.point(mesh.edge_point(star.outgoing[at(c)], p - 1)) - last[0];
+    aa += dot(a, a), ab += dot(a, b), bb += dot(b, b), ar += dot(a, r), br += dot(b, r);
   }
-  // The first step of de Casteljau at the first corner tells where v is: b + xi2 (along 12) + xi3 (along 13).
-  const auto position = [&](int k) { return Point{parent[at(k * width)], parent[at(k * width + 1)]}; };
-  const Vector along_2 = position(layout.edge_index(0, 1)) - position(0);
-  const Vector along_3 = position(layout.edge_index(2, p - 1)) - position(0);
-  const Vector step = mesh.point(mesh.edge_point(star.outgoing[0], p - 1)) - position(0);
-  const double det = cross(along_2, along_3);
-  if (det == 0) return false;
-  const double xi2 = cross(step, along_3) / det, xi3 = cross(along_2, step) / det;
+  const double det = aa * bb - ab * ab;
+  if (!(det > 0)) return false;
+  const double xi2 = (bb * ar - ab * br) / det, xi3 = (aa * br - ab * ar) / det;
   const Barycentric v{1 - xi2 - xi3, xi2, xi3};
   if (!(v[0] > 0 && v[1] > 0 && v[2] > 0)) return false;
-  std::array<PieceOfParent, 3> pieces;
+  std::array<std::array<Barycentric, 3>, 3> corners;
   for (int c = 0; c < 3; ++c) {
-    std::array<Barycentric, 3> corners;
     Barycentric from{}, to{};
     from[at(c)] = 1;
     to[at((c + 1) % 3)] = 1;
     const int e = edge_of(star.outgoing[at(c)]);
-    corners[at(e)] = v;
-    corners[at((e + 1) % 3)] = from;
-    corners[at((e + 2) % 3)] = to;
-    pieces[at(c)] = {rows[at(c)], corners[0], corners[1], corners[2]};
+    corners[at(c)][at(e)] = v;
+    corners[at(c)][at((e + 1) % 3)] = from;
+    corners[at(c)][at((e + 2) % 3)] = to;
   }
-  return recover_parent(p, width, pieces, known, parent, subdivision_tolerance * mesh.size(), mesh.size());
+  return parent.find_inner(corners);
 }
 
 /// 4→2 where the four triangles are a split edge's: the parents come back. `first`: the edge runs from link[first] to
 /// link[first + 2].
 bool undo_split(Mesh& mesh, PointId v, const Star& star, int first) {
   const auto link = [&](int i) { return mesh.target(star.outgoing[at((first + i) % 4)]); };
-  const Fan right{link(0), link(1), link(2)}, left{link(2), link(3), link(0)};
+  const std::array<PointId, 3> right{link(0), link(1), link(2)}, left{link(2), link(3), link(0)};
   if (are_joined(mesh, link(0), link(2))) return false;
-  const int p = mesh.degree(), width = mesh.width();
-  std::vector<double> parent_right, parent_left, shared(at((p + 1) * width));
-  if (!recover_merged(mesh, v, right, parent_right)) return false;
-  for (int k = 0; k <= p; ++k)  // the right parent's edge runs from link 2 to link 0, the left one's the other way
-    std::copy_n(parent_right.begin() + mesh.layout().edge_index(2, p - k) * width, width, shared.begin() + k * width);
-  if (!recover_merged(mesh, v, left, parent_left, &shared)) return false;
+  const int p = mesh.degree();
+  thread_local std::array<ParentRecovery, 2> parents;
+  if (!recover_merged(mesh, v, right, parents[0])) return false;
+  std::array<Point, max_degree + 1> shared;  // the right parent's edge runs from link 2 to link 0, the left one's back
+  for (int k = 0; k <= p; ++k) shared[at(k)] = parents[0].point(mesh.layout().edge_index(2, p - k));
+  if (!recover_merged(mesh, v, left, parents[1], {shared.data(), at(p + 1)})) return false;
   Transaction transaction(mesh);
   const EdgePoints half = side_of(mesh, star.outgoing[at(first)]).points;  // v to link 0
   const EdgePoints other = side_of(mesh, star.outgoing[at((first + 2) % 4)]).points;
@@ -82,8 +79,8 @@ bool undo_split(Mesh& mesh, PointId v, const Star& star, int first) {
   mesh.link(half_edge(t, 2), half_edge(u, 2));
   free_edge_points(mesh, other);
   mesh.free_point(v);
-  put_rows(mesh, t, parent_right, 3 + 2 * (p - 1), mesh.net_size());  // the edge's points, then the inner ones
-  put_rows(mesh, u, parent_left, mesh.layout().first_interior(), mesh.net_size());
+  put_rows(mesh, t, parents[0].rows(), 3 + 2 * (p - 1), mesh.net_size());  // the edge's points, then the inner ones
+  put_rows(mesh, u, parents[1].rows(), mesh.layout().first_interior(), mesh.net_size());
   if (!is_valid(mesh, t) || !is_valid(mesh, u)) return false;
   transaction.commit();
   return true;
@@ -92,12 +89,12 @@ bool undo_split(Mesh& mesh, PointId v, const Star& star, int first) {
 }  // namespace
 
 Refusal remove_degree_three(Mesh& mesh, PointId v, const RefitOptions& options) {
-  Star star;
+  thread_local Star star;
   find_star(mesh, v, star);
   if (is_on_curve(mesh, star)) return Refusal::constrained;
   if (star.degree() != 3) return Refusal::not_removable;
   Transaction transaction(mesh);
-  std::vector<double> parent;
+  thread_local ParentRecovery parent;
   const bool is_subdivision = recover_of_three(mesh, star, parent);
   std::array<TriangleId, 3> old;
   std::array<Side, 3> sides;
@@ -119,7 +116,7 @@ Refusal remove_degree_three(Mesh& mesh, PointId v, const RefitOptions& options) 
   for (int c = 0; c < 3; ++c) attach(mesh, half_edge(t, c), sides[at(c)]);
   const std::array<TriangleId, 1> now{t};
   if (is_subdivision) {
-    put_rows(mesh, t, parent, mesh.layout().first_interior(), mesh.net_size());
+    put_rows(mesh, t, parent.rows(), mesh.layout().first_interior(), mesh.net_size());
     if (!is_valid(mesh, t)) return Refusal::would_invert;
   } else {
     const std::span<const PointId> free{inner.data(), at(interior_size(mesh.degree()))};
@@ -131,14 +128,15 @@ Refusal remove_degree_three(Mesh& mesh, PointId v, const RefitOptions& options) 
 }
 
 Refusal remove_inner_vertex(Mesh& mesh, PointId v, const RefitOptions& options) {
-  Star star;
+  thread_local Star star;
   find_star(mesh, v, star);
   if (is_on_curve(mesh, star)) return Refusal::constrained;
   if (star.degree() == 4)
     for (const int first : {0, 1})
       if (undo_split(mesh, v, star, first)) return Refusal::done;
   Transaction transaction(mesh);
-  Fan fan;
+  thread_local Fan fan;
+  fan.clear();
   for (const HalfEdgeId h : star.outgoing) fan.push_back(mesh.target(h));
   if (!reduce_fan(mesh, v, fan, true, 3, options)) return Refusal::not_removable;
   const Refusal refusal = remove_degree_three(mesh, v, options);

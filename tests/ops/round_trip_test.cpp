@@ -1,0 +1,112 @@
+// tests/ops/round_trip_test.cpp: what an insertion or a split did is undone by the removal of its vertex, to rounding
+#include "ops/carried_domains.h"
+
+using namespace pliant;
+
+namespace {
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+/// The rows of the triangle of h as seen from its origin: the same whichever corner the triangle calls its first.
+std::vector<double> rows_from(const Mesh& mesh, HalfEdgeId h) {
+  const int p = mesh.degree(), width = mesh.width();
+  const NetLayout& layout = mesh.layout();
+  std::vector<double> rows(at(mesh.net_size() * width)), out;
+  mesh.gather(triangle_of(h), rows);
+  const std::size_t e = at(edge_of(h));
+  for (int i = 0; i <= p; ++i)
+    for (int j = 0; i + j <= p; ++j) {
+      std::array<int, 3> exponents{};
+      exponents[e] = i, exponents[(e + 1) % 3] = j, exponents[(e + 2) % 3] = p - i - j;
+      const int k = layout.index(exponents[0], exponents[1]);
+      out.insert(out.end(), rows.begin() + k * width, rows.begin() + (k + 1) * width);
+    }
+  return out;
+}
+
+/// Largest difference of two elements' rows, relative to the size of the mesh or to the fields' values, which are
+/// about 1.
+double difference(const Mesh& mesh, const std::vector<double>& a, const std::vector<double>& b) {
+  double worst = 0;
+  for (std::size_t k = 0; k < a.size(); ++k)
+    worst = std::max(worst, std::abs(a[k] - b[k]) / (k % at(mesh.width()) < 2 ? mesh.size() : 3));
+  return worst;
+}
+
+/// Two triangles, or one: those of an edge, before it is split, or one before a point is put into it.
+struct Before {
+  std::array<PointId, 2> from{none, none}, to{none, none};
+  std::array<std::vector<double>, 2> rows;
+
+  void note(const Mesh& mesh, int side, HalfEdgeId h) {
+    if (h == none) return;
+    from[at(side)] = mesh.origin(h);
+    to[at(side)] = mesh.target(h);
+    rows[at(side)] = rows_from(mesh, h);
+  }
+  double change(const Mesh& mesh) const {
+    double worst = 0;
+    for (std::size_t k = 0; k < 2; ++k)
+      if (from[k] != none)
+        worst = std::max(worst, difference(mesh, rows[k], rows_from(mesh, find_half_edge(mesh, from[k], to[k]))));
+    return worst;
+  }
+};
+
+}  // namespace
+
+TEST_CASE("an insertion or a split, then the removal of its vertex, give back geometry and fields to rounding",
+          "[ops][property]") {
+  const int degree = GENERATE(1, 2, 3, 4, 5);
+  const Domain& domain = GENERATE(from_range(std::begin(domains), std::end(domains)));
+  CAPTURE(degree, domain.name);
+  Mesh mesh = carried(domain, degree, 5);
+  std::mt19937_64 random(3);
+  std::uniform_real_distribution<double> uniform(0, 1);
+  const Mesh original = mesh;
+  std::array<double, 4> worst{};  // by kind: insertion, inner edge, interface, outer boundary
+  std::array<int, 4> trips{};
+  for (int k = 0; k < 400; ++k) {
+    CAPTURE(k);
+    const auto t = static_cast<TriangleId>(random() % at(mesh.triangle_slots()));
+    if (!mesh.is_alive(t)) continue;
+    HalfEdgeId h = half_edge(t, static_cast<int>(random() % 3));
+    Before before;
+    InsertResult inserted;
+    int kind = 0;
+    if (random() % 3 == 0) {
+      Barycentric xi{0.1 + uniform(random), 0.1 + uniform(random), 0.1 + uniform(random)};
+      const double sum = xi[0] + xi[1] + xi[2];
+      for (double& x : xi) x /= sum;
+      before.note(mesh, 0, h);
+      inserted = insert_point(mesh, t, xi);
+      REQUIRE(inserted.refusal == Refusal::done);
+      REQUIRE(remove_inner_vertex(mesh, inserted.vertex) == Refusal::done);
+    } else {
+      for (int e = 0; e < 3 && random() % 2; ++e)
+        if (mesh.is_constrained(half_edge(t, e))) h = half_edge(t, e);
+      before.note(mesh, 0, next(h));
+      if (mesh.twin(h) != none) before.note(mesh, 1, next(mesh.twin(h)));
+      kind = !mesh.is_constrained(h) ? 1 : mesh.twin(h) != none ? 2 : 3;
+      inserted = split_edge(mesh, h, 0.1 + 0.8 * uniform(random));
+      REQUIRE(inserted.refusal == Refusal::done);
+      const Refusal refusal = kind == 1 ? remove_inner_vertex(mesh, inserted.vertex)
+                                        : remove_curve_vertex(mesh, inserted.vertex, {1e-10}).refusal;
+      REQUIRE(refusal == Refusal::done);
+    }
+    ++trips[at(kind)];
+    worst[at(kind)] = std::max(worst[at(kind)], before.change(mesh));
+  }
+  require_every_invariant(mesh);
+  CHECK(mesh.triangle_count() == original.triangle_count());
+  double drift = 0;
+  for (HalfEdgeId h = 0; h < 3 * original.triangle_slots(); h += 3) {
+    const HalfEdgeId now = find_half_edge(mesh, original.origin(h), original.target(h));
+    REQUIRE(now != none);
+    drift = std::max(drift, difference(mesh, rows_from(original, h), rows_from(mesh, now)));
+  }
+  CAPTURE(trips, worst, drift, linear_error(mesh));
+  for (const double each : worst) CHECK(each < 1e-13);
+  CHECK(drift < 1e-12);
+  CHECK(linear_error(mesh) < 1e-13 * mesh.size());
+}
