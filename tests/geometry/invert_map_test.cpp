@@ -77,28 +77,86 @@ TEST_CASE("subdivision finds every point of bent and of nearly degenerate elemen
     for (const Barycentric& xi : lattice(7)) {
       CAPTURE(degree, xi);
       const Point p = image(degree, net, xi);
-      const auto found = invert_map_by_subdivision(degree, net, p, 1e-12);
-      REQUIRE(found);
-      CHECK(distance(image(degree, net, *found), p) <= 2e-12);
-      CHECK(*std::min_element(found->begin(), found->end()) >= -1e-12);
+      const ElementSearch found = find_in_element(degree, net, p, 1e-12);
+      REQUIRE(found.answer == SearchAnswer::found);
+      CHECK(distance(image(degree, net, found.xi), p) <= 2e-12);
+      CHECK(std::ranges::min(found.xi) >= -1e-12);
     }
   }
 }
 
 TEST_CASE("subdivision says no to points outside the element", "[geometry][property]") {
   for (int seed = 0; seed < 100; ++seed) {
-    const int degree = 1 + seed % 4;
+    const int degree = 1 + seed % 5;
     CAPTURE(seed, degree);
     const auto net = random_valid_net(degree, seed, 0.05);
     Box box;
     for (const Point& p : net) box.extend(p);
-    CHECK(!invert_map_by_subdivision(degree, net, box.high + Point{0.01, 0.01}, 1e-12));
+    CHECK(find_in_element(degree, net, box.high + Point{0.01, 0.01}, 1e-12).answer == SearchAnswer::absent);
     // Just across the middle of an edge, by its normal.
     const Point a = image(degree, net, {0.501, 0.499, 0});
     const Point b = image(degree, net, {0.499, 0.501, 0});
     const Vector outward = -perpendicular(b - a) / distance(a, b);
     const Point middle = image(degree, net, {0.5, 0.5, 0});
-    CHECK(!invert_map_by_subdivision(degree, net, middle + 1e-6 * outward, 1e-12));
-    CHECK(invert_map_by_subdivision(degree, net, middle - 1e-6 * outward, 1e-12));
+    for (const double off : {1e-2, 1e-6, 1e-9, 1e-11}) {
+      CHECK(find_in_element(degree, net, middle + off * outward, 1e-13).answer == SearchAnswer::absent);
+      CHECK(find_in_element(degree, net, middle - off * outward, 1e-13).answer == SearchAnswer::found);
+    }
   }
+}
+
+TEST_CASE("the answer does not depend on where the element lies nor on its size", "[geometry][property]") {
+  for (int seed = 0; seed < 20; ++seed) {
+    const int degree = 1 + seed % 5;
+    auto net = random_valid_net(degree, seed);
+    for (const double scale : {0x1p-900, 0x1p-300, 1.0, 0x1p400}) {
+      CAPTURE(seed, degree, scale);
+      auto scaled = net;
+      for (Point& p : scaled) p *= scale;
+      for (const Barycentric& xi : lattice(4)) {
+        const Point p = scale * image(degree, net, xi);
+        const ElementSearch found = find_in_element(degree, scaled, p, scale * 1e-13);
+        REQUIRE(found.answer == SearchAnswer::found);
+        CHECK(distance(image(degree, scaled, found.xi) / scale, p / scale) <= 1e-12);
+      }
+      const Point beyond = scale * image(degree, net, {-1e-6, 0.4, 0.600001});
+      CHECK(find_in_element(degree, scaled, beyond, scale * 1e-13).answer == SearchAnswer::absent);
+    }
+    for (Point& p : net) p += {1e9, -1e9};
+    CHECK(find_in_element(degree, net, image(degree, net, {0.2, 0.5, 0.3}), 1e-6).answer == SearchAnswer::found);
+    CHECK(find_in_element(degree, net, image(degree, net, {-1e-5, 0.5, 0.50001}), 1e-9).answer == SearchAnswer::absent);
+  }
+}
+
+TEST_CASE("elements with a cusp are searched to the cusp's very corner", "[geometry]") {
+  // (s + t, t (s + t)): between the lines y = 0 and the parabola y = x^2, turned so that boxes do not fit.
+  std::vector<Point> net{{0, 0}, {1, 0}, {1, 1}, {0.5, 0}, {1, 0.5}, {0.5, 0}};
+  const auto turned = [](const Point& p) { return Point{0.6 * p.x - 0.8 * p.y, 0.8 * p.x + 0.6 * p.y}; };
+  for (Point& p : net) p = turned(p);
+  REQUIRE(certify_cusp(2, net, 0) == Validity::valid);
+  CHECK(find_in_element(2, net, {0, 0}, 1e-14).answer == SearchAnswer::found);
+  for (int k = 1; k <= 6; ++k) {
+    const double x = std::pow(10.0, -k);
+    CAPTURE(x);
+    for (const double share : {0.01, 0.5, 0.99}) {
+      const Point p = turned({x, share * x * x});
+      const ElementSearch found = find_in_element(2, net, p, 1e-14);
+      REQUIRE(found.answer == SearchAnswer::found);
+      CHECK(distance(image(2, net, found.xi), p) <= 2e-14);
+    }
+    CHECK(find_in_element(2, net, turned({x, 1.01 * x * x}), 1e-14).answer == SearchAnswer::absent);
+    CHECK(find_in_element(2, net, turned({x, -0.01 * x * x}), 1e-14).answer == SearchAnswer::absent);
+    CHECK(find_in_element(2, net, turned({-x, 0}), 1e-14).answer == SearchAnswer::absent);
+  }
+}
+
+TEST_CASE("elements that lie over themselves have all their points found, and nothing else", "[geometry][property]") {
+  // z^5 around a place just outside: det J > 0, yet the image winds by more than a turn.
+  const auto net = power_net(5, {-0x1p-4, -0x1p-4});
+  REQUIRE(certify(5, net) == Validity::valid);
+  for (const Barycentric& xi : lattice(12))
+    CHECK(find_in_element(5, net, image(5, net, xi), 1e-12).answer == SearchAnswer::found);
+  const auto folded = random_integer_net(3, 5, 2, 12);
+  for (const Barycentric& xi : lattice(12))
+    CHECK(find_in_element(3, folded, image(3, folded, xi), 1e-12).answer == SearchAnswer::found);
 }

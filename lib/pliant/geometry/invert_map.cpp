@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "pliant/geometry/bisect_net.h"
 #include "pliant/geometry/control_net.h"
 
 namespace pliant {
@@ -116,23 +117,119 @@ std::optional<Barycentric> clamped(const Map& map, const Point& p, double tolera
   return std::nullopt;
 }
 
-struct Piece {
-  std::array<Barycentric, 3> corners;
-  int depth;
-};
-
 Barycentric mean(const Barycentric& a, const Barycentric& b) {
   return {(a[0] + b[0]) / 2, (a[1] + b[1]) / 2, (a[2] + b[2]) / 2};
 }
 
-/// Whether the box of the piece's control points comes within the tolerance of p.
-bool may_contain(const Map& map, const Piece& piece, const Point& p, double tolerance, Box& box) {
-  std::array<double, 2 * net_size(max_degree)> rows;
-  sub_net(map.degree(), 2, map.rows(), piece.corners[0], piece.corners[1], piece.corners[2], rows);
-  box = {};
-  for (std::size_t n = 0; n < map.rows().size(); n += 2) box.extend({rows[n], rows[n + 1]});
-  const double slack = tolerance + 1e-15 * (std::fabs(p.x) + std::fabs(p.y));
-  return box.low.x - slack <= p.x && p.x <= box.high.x + slack && box.low.y - slack <= p.y && p.y <= box.high.y + slack;
+struct PointMean {
+  static void add(Point& a, const Point& b) { a = 0.5 * (a + b); }
+  static void align(Point&, int) {}
+};
+
+constexpr double unit_roundoff = 0x1p-53;
+
+/// A part of an element; its control points are relative to p, which is the origin here.
+struct Piece {
+  std::array<Barycentric, 3> corners;
+  double error;  // of each coordinate of its control points
+};
+
+class PieceTest {
+ public:
+  PieceTest(int degree, std::span<const Point> lattice_net, double error)
+      : degree_(degree),
+        net_(lattice_net),
+        error_(error),
+        a_(net_[0]),
+        b_(net_[static_cast<std::size_t>(lattice_index(degree, 0))]),
+        c_(net_[static_cast<std::size_t>(lattice_index(degree, degree))]) {
+    for (const Point& q : net_) greatest_ = std::max({greatest_, std::fabs(q.x), std::fabs(q.y)});
+  }
+
+  /// Greatest |coordinate| of the control points.
+  double greatest() const { return greatest_; }
+
+  /// Whether a line separates the origin from all control points, by more than rounding can account for. It runs along
+  /// an axis, along a side of the piece's straight triangle, which leaves pieces of any slenderness few neighbours, or
+  /// across the direction to the piece, which ends the search where pieces are small.
+  bool is_separated() const {
+    return separates({1, 0}) || separates({0, 1}) || separates(perpendicular(b_ - a_)) ||
+           separates(perpendicular(c_ - b_)) || separates(perpendicular(a_ - c_)) || separates(a_ + b_ + c_);
+  }
+
+  /// Whether the map differs so little from the straight one that Newton converges from there.
+  bool is_flat() const {
+    const Vector ab = b_ - a_, ac = c_ - a_, bc = c_ - b_;
+    const double most = 0.25 * std::fabs(cross(ab, ac));
+    for (int r = 0, n = 0; r <= degree_; ++r)
+      for (int k = 0; k <= r; ++k, ++n) {
+        const Vector straight = ((degree_ - r) * a_ + (r - k) * b_ + k * c_) / degree_;
+        const Vector off = net_[static_cast<std::size_t>(n)] - straight;
+        if (!(std::max({std::fabs(cross(ab, off)), std::fabs(cross(ac, off)), std::fabs(cross(bc, off))}) <= most))
+          return false;
+      }
+    return true;
+  }
+
+  /// The origin's barycentric coordinates in the straight triangle of the piece.
+  Barycentric straight() const {
+    const std::array<Point, 3> corners{a_, b_, c_};
+    return straight_coordinates(corners, {0, 0});
+  }
+
+ private:
+  /// The computed product with a control point is wrong by at most |d|_1 (error + 3u greatest).
+  bool separates(const Vector& d) const {
+    const double margin = (std::fabs(d.x) + std::fabs(d.y)) * (error_ + 4 * unit_roundoff * greatest_);
+    if (dot(d, net_[0]) > margin) return std::ranges::all_of(net_, [&](const Point& q) { return dot(d, q) > margin; });
+    return std::ranges::all_of(net_, [&](const Point& q) { return dot(d, q) < -margin; });
+  }
+
+  int degree_;
+  std::span<const Point> net_;
+  double error_;
+  double greatest_ = 0;
+  Point a_, b_, c_;
+};
+
+/// By bisection; `net` is relative to the point looked for and scaled, in lattice order.
+ElementSearch search_pieces(const Map& map, std::span<const Point> net, double tolerance) {
+  constexpr int most_pieces = 20000;
+  const Point origin{0, 0};
+  const int degree = map.degree();
+  const std::size_t n = net.size();
+  std::vector<Point> nets(net.begin(), net.end());
+  std::vector<Piece> pieces{{{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}, 4 * unit_roundoff}};
+  std::array<Point, max_degree + 1> row;
+  for (int count = 0; !pieces.empty() && count < most_pieces; ++count) {
+    const Piece piece = pieces.back();
+    const std::size_t first = nets.size() - n;
+    const PieceTest test(degree, std::span(nets).subspan(first), piece.error);
+    if (test.is_separated()) {
+      pieces.pop_back();
+      nets.resize(first);
+      continue;
+    }
+    const auto& [a, b, c] = piece.corners;
+    if (test.is_flat()) {
+      const Barycentric w = test.straight();
+      Barycentric start;
+      for (std::size_t k = 0; k < 3; ++k) start[k] = w[0] * a[k] + w[1] * b[k] + w[2] * c[k];
+      if (const auto xi = newton(map, origin, tolerance, start, 0.25))
+        if (const auto inside = clamped(map, origin, tolerance, *xi)) return {SearchAnswer::found, *inside};
+    }
+    if (test.greatest() <= 0.5 * tolerance)
+      return {SearchAnswer::found, {(a[0] + b[0] + c[0]) / 3, (a[1] + b[1] + c[1]) / 3, (a[2] + b[2] + c[2]) / 3}};
+    const double error = piece.error + (degree + 1) * unit_roundoff * test.greatest();
+    const Barycentric middle = mean(a, b);
+    std::array<Point, net_size(max_degree)> parent;
+    std::copy_n(nets.begin() + static_cast<std::ptrdiff_t>(first), n, parent.begin());
+    nets.resize(first + 2 * n);
+    bisect_net<PointMean>(degree, parent.data(), nets.data() + first, nets.data() + first + n, row.data());
+    pieces.back() = {{a, c, middle}, error};
+    pieces.push_back({{c, b, middle}, error});
+  }
+  return {pieces.empty() ? SearchAnswer::absent : SearchAnswer::undecided, {}};
 }
 
 }  // namespace
@@ -142,28 +239,28 @@ std::optional<Barycentric> invert_map(int degree, std::span<const Point> net, co
   return newton(Map(degree, net), p, tolerance, start ? *start : straight_coordinates(net, p), reach);
 }
 
-std::optional<Barycentric> invert_map_by_subdivision(int degree, std::span<const Point> net, const Point& p,
-                                                     double tolerance) {
-  constexpr int greatest_depth = 80;  // two bisections halve the diameter
-  constexpr int most_pieces = 20000;
-  const Map map(degree, net);
-  std::vector<Piece> pieces{{{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}, 0}};
-  for (int count = 0; !pieces.empty() && count < most_pieces; ++count) {
-    const Piece piece = pieces.back();
-    pieces.pop_back();
-    Box box;
-    if (!may_contain(map, piece, p, tolerance, box)) continue;
-    const auto& [a, b, c] = piece.corners;
-    const Barycentric centre{(a[0] + b[0] + c[0]) / 3, (a[1] + b[1] + c[1]) / 3, (a[2] + b[2] + c[2]) / 3};
-    if (const auto xi = newton(map, p, tolerance, centre, 0.25))
-      if (const auto inside = clamped(map, p, tolerance, *xi)) return inside;
-    if (distance(map(centre).value, p) <= tolerance) return centre;
-    if (piece.depth == greatest_depth) continue;
-    const Barycentric middle = mean(a, b);
-    pieces.push_back({{a, c, middle}, piece.depth + 1});
-    pieces.push_back({{c, b, middle}, piece.depth + 1});
-  }
-  return std::nullopt;
+ElementSearch find_in_element(int degree, std::span<const Point> net, const Point& p, double tolerance) {
+  const auto n = static_cast<std::size_t>(net_size(degree));
+  Box box;
+  for (const Point& q : net.first(n)) box.extend(q);
+  const double reach = std::max({box.high.x - p.x, p.x - box.low.x, box.high.y - p.y, p.y - box.low.y});
+  if (reach == 0) return {SearchAnswer::found, {1.0 / 3, 1.0 / 3, 1.0 / 3}};
+  // Nearer than this Newton's answer may still lie within -1e-12: so it is asked first, as a walk does.
+  const double near = degree * 1e-11;
+  const double slack = near * reach;
+  if (p.x < box.low.x - slack || p.x > box.high.x + slack || p.y < box.low.y - slack || p.y > box.high.y + slack)
+    return {SearchAnswer::absent, {}};
+  // Relative to p and scaled by a power of two: neither offset nor size of the element costs precision.
+  const double scale = std::ldexp(1.0, std::clamp(-std::ilogb(reach), -1000, 1000));
+  std::array<Point, net_size(max_degree)> relative, in_order;
+  for (std::size_t k = 0; k < n; ++k) relative[k] = scale * (net[k] - p);
+  const std::vector<int>& order = lattice_order(degree);
+  for (std::size_t k = 0; k < n; ++k) in_order[static_cast<std::size_t>(order[k])] = relative[k];
+  if (PieceTest(degree, std::span(in_order).first(n), near).is_separated()) return {SearchAnswer::absent, {}};
+  if (const auto xi = invert_map(degree, net, p, tolerance); xi && std::ranges::min(*xi) >= -1e-12)
+    return {SearchAnswer::found, *xi};
+  return search_pieces(Map(degree, std::span(relative).first(n)), std::span(in_order).first(n),
+                       std::max(scale * tolerance, 64 * degree * unit_roundoff));
 }
 
 }  // namespace pliant

@@ -2,68 +2,88 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <utility>
+#include <vector>
 
 #include "pliant/geometry/invert_map.h"
 #include "pliant/geometry/predicates.h"
+#include "pliant/mesh/hilbert_order.h"
 
 namespace pliant {
 namespace {
 
 constexpr double inside_tolerance = 1e-12;  // of a barycentric coordinate
+constexpr double near_edge = 1e-9;          // of a barycentric coordinate: neighbours may contain the point as well
 constexpr int max_attempts = 12;            // elements in which Newton is tried by one walk
-constexpr int leaf_size = 4;
+constexpr int max_around = 64;              // elements in which it is tried about an edge or a vertex
+constexpr long steps_to_tree = 64;          // where there is a tree: longer walks cost more than it
+constexpr long steps_per_triangle = 4;      // that making the tree costs, roughly
 
-std::array<Point, net_size(max_degree)> buffer_for(const Mesh& mesh, TriangleId t) {
+constexpr std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+bool is_inside(const Barycentric& xi) { return std::min({xi[0], xi[1], xi[2]}) >= -inside_tolerance; }
+
+}  // namespace
+
+double Locator::tolerance(const Point& p) const {
+  return std::max(1e-14 * mesh_.size(), 4e-15 * std::max(std::fabs(p.x), std::fabs(p.y)));
+}
+
+long Locator::most_steps() const {
+  return steps_to_tree + static_cast<long>(8 * std::sqrt(static_cast<double>(mesh_.triangle_count())));
+}
+
+std::optional<Barycentric> Locator::invert(TriangleId t, const Point& p) const {
   std::array<Point, net_size(max_degree)> net;
-  mesh.gather_points(t, net);
-  return net;
+  mesh_.gather_points(t, net);
+  return invert_map(mesh_.degree(), {net.data(), at(mesh_.net_size())}, p, tolerance(p));
 }
 
-int least_coordinate(const Barycentric& xi) {
-  return static_cast<int>(std::min_element(xi.begin(), xi.end()) - xi.begin());
-}
-
-/// The triangle that the logical walk ends in: it contains p, or the walk met the outer boundary or went in circles.
-TriangleId walk_logical(const Mesh& mesh, const Point& p, TriangleId t) {
-  const long limit = 10 + 4L * mesh.triangle_count();
+/// The triangle that the logical walk ends in: it contains p, or the walk met the outer boundary or was too long.
+TriangleId Locator::walk_logical(const Point& p, TriangleId t, long most_steps) {
   HalfEdgeId entered = none;
-  for (long step = 0; step < limit; ++step) {
+  for (long step = 0; step < most_steps; ++step) {
     HalfEdgeId leave = none;
     for (int k = 0; k < 3; ++k) {
       // Alternating the first edge breaks the cycles that a fixed order can run into on non-Delaunay meshes.
       const HalfEdgeId h = half_edge(t, static_cast<int>((k + step) % 3));
       if (h == entered) continue;
-      if (orient2d(mesh.point(mesh.origin(h)), mesh.point(mesh.target(h)), p) >= 0) continue;
-      if (mesh.twin(h) == none) continue;  // the point may lie round the corner: go on along the boundary
+      if (orient2d(mesh_.point(mesh_.origin(h)), mesh_.point(mesh_.target(h)), p) >= 0) continue;
+      if (mesh_.twin(h) == none) continue;  // the point may lie round the corner: go on along the boundary
       leave = h;
       break;
     }
-    if (leave == none) return t;
-    entered = mesh.twin(leave);
+    if (leave == none) {
+      steps_ += step;
+      return t;
+    }
+    entered = mesh_.twin(leave);
     t = triangle_of(entered);
   }
+  steps_ += most_steps;
   return t;
 }
 
-}  // namespace
+std::optional<Location> Locator::walk(const Point& p, TriangleId hint) { return walk(p, hint, most_steps()); }
 
-std::optional<Location> Locator::walk(const Point& p, TriangleId hint) {
-  TriangleId t = walk_logical(mesh_, p, hint);
-  const double tolerance = 1e-14 * mesh_.size();
+std::optional<Location> Locator::walk(const Point& p, TriangleId hint, long most_steps) {
+  TriangleId t = walk_logical(p, hint, most_steps);
   std::array<TriangleId, max_attempts> visited;
   int tried = 0;
   while (tried < max_attempts) {
-    visited[static_cast<std::size_t>(tried++)] = t;
-    const auto net = buffer_for(mesh_, t);
-    const auto xi = invert_map(mesh_.degree(), {net.data(), static_cast<std::size_t>(mesh_.net_size())}, p, tolerance);
+    visited[at(tried++)] = t;
+    const auto xi = invert(t, p);
     if (!xi) return std::nullopt;
     std::array<int, 3> order{0, 1, 2};
-    std::sort(order.begin(), order.end(),
-              [&](int a, int b) { return (*xi)[static_cast<std::size_t>(a)] < (*xi)[static_cast<std::size_t>(b)]; });
-    if ((*xi)[static_cast<std::size_t>(order[0])] >= -inside_tolerance) return Location{t, *xi};
+    std::sort(order.begin(), order.end(), [&](int a, int b) { return (*xi)[at(a)] < (*xi)[at(b)]; });
+    if ((*xi)[at(order[0])] >= -inside_tolerance) return Location{t, *xi};
     TriangleId to = none;
     for (const int c : order) {
-      if ((*xi)[static_cast<std::size_t>(c)] >= -inside_tolerance) break;
+      if ((*xi)[at(c)] >= -inside_tolerance) break;
       const HalfEdgeId across = mesh_.twin(half_edge(t, (c + 1) % 3));  // opposite corner c
       if (across == none) continue;
       TriangleId* const end = visited.data() + tried;
@@ -79,77 +99,93 @@ std::optional<Location> Locator::walk(const Point& p, TriangleId hint) {
 
 std::optional<Location> Locator::find(const Point& p, TriangleId hint) {
   if (!is_finite(p) || mesh_.triangle_count() == 0) return std::nullopt;
-  if (hint == none || hint >= mesh_.triangle_slots() || !mesh_.is_alive(hint)) {
-    hint = 0;
-    while (!mesh_.is_alive(hint)) ++hint;
+  auto found = walk_or_search(p, hint);
+  if (!found) return std::nullopt;
+  found = least_around(p, *found);
+  last_ = found->triangle;
+  return found;
+}
+
+std::optional<Location> Locator::walk_or_search(const Point& p, TriangleId hint) {
+  if (!is_triangle(hint)) {
+    if (!tree_.empty() || steps_ > steps_per_triangle * mesh_.triangle_count()) return search_tree(p);
+    hint = nearest_of_some(p);
   }
-  if (auto found = walk(p, hint)) return found;
+  if (auto found = walk(p, hint, tree_.empty() ? most_steps() : steps_to_tree)) return found;
   return search_tree(p);
 }
 
-void Locator::build_tree() {
-  order_.clear();
-  tree_.clear();
-  std::vector<Box> boxes(static_cast<std::size_t>(mesh_.triangle_slots()));
-  for (TriangleId t = 0; t < mesh_.triangle_slots(); ++t) {
-    if (!mesh_.is_alive(t)) continue;
-    order_.push_back(t);
-    for (const PointId q : mesh_.net(t)) boxes[static_cast<std::size_t>(t)].extend(mesh_.point(q));
+/// Of n^(1/3) triangles all over the mesh (jump and walk: Mücke, Saias, Zhu).
+TriangleId Locator::nearest_of_some(const Point& p) {
+  const auto some = static_cast<std::int64_t>(std::cbrt(mesh_.triangle_count())) + 1;
+  TriangleId nearest = none;
+  double least = HUGE_VAL;
+  for (std::int64_t k = 0; k < some; ++k) {
+    auto t = static_cast<TriangleId>(k * mesh_.triangle_slots() / some);
+    while (!mesh_.is_alive(t)) t = t + 1 < mesh_.triangle_slots() ? t + 1 : 0;
+    const Vector off = p - mesh_.point(mesh_.corner(t, 0));
+    const double far = std::fabs(off.x) + std::fabs(off.y);
+    if (nearest == none || far < least) nearest = t, least = far;
   }
-  const double margin = inside_tolerance * mesh_.size();
-  tree_.push_back({Box{}, 0, static_cast<int>(order_.size()), true});
-  for (std::size_t n = 0; n < tree_.size(); ++n) {  // grows as nodes are split
-    const int first = tree_[n].first, last = tree_[n].last;
-    Box box;
-    for (int k = first; k < last; ++k) {
-      const Box& b = boxes[static_cast<std::size_t>(order_[static_cast<std::size_t>(k)])];
-      box.extend(b.low - Point{margin, margin});
-      box.extend(b.high + Point{margin, margin});
-    }
-    tree_[n].box = box;
-    if (last - first <= leaf_size) continue;
-    const bool wide = box.high.x - box.low.x > box.high.y - box.low.y;
-    const int middle = (first + last) / 2;
-    std::nth_element(
-        order_.begin() + first, order_.begin() + middle, order_.begin() + last, [&](TriangleId a, TriangleId b) {
-          const Point ca = boxes[static_cast<std::size_t>(a)].low + boxes[static_cast<std::size_t>(a)].high;
-          const Point cb = boxes[static_cast<std::size_t>(b)].low + boxes[static_cast<std::size_t>(b)].high;
-          const double va = wide ? ca.x : ca.y, vb = wide ? cb.x : cb.y;
-          return va != vb ? va < vb : a < b;
-        });
-    const int child = static_cast<int>(tree_.size());
-    tree_.push_back({Box{}, first, middle, true});
-    tree_.push_back({Box{}, middle, last, true});
-    tree_[n].leaf = false;
-    tree_[n].first = child;
-    tree_[n].last = child + 1;
-  }
+  steps_ += some;
+  return nearest;
 }
 
 std::optional<Location> Locator::search_tree(const Point& p) {
-  if (tree_.empty()) build_tree();
-  const double tolerance = 1e-14 * mesh_.size();
-  std::vector<int> stack{0};
-  while (!stack.empty()) {
-    const Node& node = tree_[static_cast<std::size_t>(stack.back())];
-    stack.pop_back();
-    if (!node.box.contains(p)) continue;
-    if (!node.leaf) {
-      stack.push_back(node.last);
-      stack.push_back(node.first);
-      continue;
+  if (tree_.empty()) tree_.build(mesh_, inside_tolerance * mesh_.size());
+  std::optional<Location> found;
+  tree_.visit(p, [&](TriangleId t) {
+    std::array<Point, net_size(max_degree)> net;
+    mesh_.gather_points(t, net);
+    const ElementSearch search = find_in_element(mesh_.degree(), {net.data(), at(mesh_.net_size())}, p, tolerance(p));
+    if (search.answer == SearchAnswer::found) found = Location{t, search.xi};
+    return found.has_value();
+  });
+  return found;
+}
+
+/// Of the elements about p's edge or vertex that contain p: by crossing those edges that p is near.
+Location Locator::least_around(const Point& p, const Location& found) const {
+  Location least = found;
+  if (std::min({found.xi[0], found.xi[1], found.xi[2]}) > near_edge) return least;
+  std::array<Location, max_around> around;
+  around[0] = found;
+  int known = 1;
+  for (int k = 0; k < known; ++k)
+    for (int c = 0; c < 3; ++c) {
+      if (around[at(k)].xi[at(c)] > near_edge) continue;
+      const HalfEdgeId across = mesh_.twin(half_edge(around[at(k)].triangle, (c + 1) % 3));  // opposite corner c
+      if (across == none || known == max_around) continue;
+      const TriangleId t = triangle_of(across);
+      if (std::any_of(around.data(), around.data() + known, [t](const Location& l) { return l.triangle == t; }))
+        continue;
+      const auto xi = invert(t, p);
+      if (!xi || std::min({(*xi)[0], (*xi)[1], (*xi)[2]}) < -near_edge) continue;
+      around[at(known++)] = {t, *xi};
+      if (t < least.triangle && is_inside(*xi)) least = {t, *xi};
     }
-    for (int k = node.first; k < node.last; ++k) {
-      const TriangleId t = order_[static_cast<std::size_t>(k)];
-      const auto net = buffer_for(mesh_, t);
-      const std::span<const Point> points{net.data(), static_cast<std::size_t>(mesh_.net_size())};
-      auto xi = invert_map(mesh_.degree(), points, p, tolerance);
-      if (!xi || (*xi)[static_cast<std::size_t>(least_coordinate(*xi))] < -inside_tolerance)
-        xi = invert_map_by_subdivision(mesh_.degree(), points, p, tolerance);
-      if (xi && (*xi)[static_cast<std::size_t>(least_coordinate(*xi))] >= -inside_tolerance) return Location{t, *xi};
+  return least;
+}
+
+void Locator::find_all(std::span<const Point> points, std::span<std::optional<Location>> found) {
+  assert(points.size() == found.size());
+  constexpr std::size_t most = std::size_t{1} << 20;
+  std::vector<std::uint64_t> order;  // place, number
+  for (std::size_t first = 0; first < points.size(); first += most) {
+    const std::size_t count = std::min(most, points.size() - first);
+    const std::span<const Point> block = points.subspan(first, count);
+    Box box;
+    for (const Point& p : block)
+      if (is_finite(p)) box.extend(p);
+    const HilbertOrder place(box, 16);
+    order.clear();
+    for (std::size_t k = 0; k < count; ++k) order.push_back(is_finite(block[k]) ? place(block[k]) << 32 | k : k);
+    std::sort(order.begin(), order.end());
+    for (const std::uint64_t entry : order) {
+      const std::size_t k = entry & 0xffffffffu;
+      found[first + k] = find(block[k], last_);
     }
   }
-  return std::nullopt;
 }
 
 }  // namespace pliant
