@@ -246,6 +246,22 @@ void Mesh::free_constraint(ConstraintId c) {
 
 void Mesh::set_vertex_half_edge(PointId v, HalfEdgeId h) {
   put_int(Log::vertex_half_edge, vertex_half_edges_, at(v), h);
+  if (!pinches_.empty()) note_pinched(v, h);
+}
+
+void Mesh::note_pinched(PointId v, HalfEdgeId h) {
+  const auto found = pinches_.find(v);
+  if (found == pinches_.end()) return;
+  std::vector<HalfEdgeId>& known = found->second;
+  if (std::find(known.begin(), known.end(), h) != known.end()) return;
+  known.push_back(h);
+  changed_pinches_.push_back(v);
+}
+
+void Mesh::forget_stale_pinches() {
+  for (const PointId v : changed_pinches_)
+    std::erase_if(pinches_.at(v), [this, v](HalfEdgeId h) { return !leaves(h, v); });
+  changed_pinches_.clear();
 }
 
 void Mesh::set_spline(CurveId c, BSpline spline, double removal_error) {
@@ -390,6 +406,7 @@ void Transaction::commit() {
     mesh_.log_.clear();
     mesh_.spline_log_.clear();
     mesh_.knot_log_.clear();
+    if (!mesh_.changed_pinches_.empty()) mesh_.forget_stale_pinches();
   }
 }
 

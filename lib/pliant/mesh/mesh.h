@@ -53,6 +53,14 @@ class Mesh {
   /// One half-edge that leaves vertex v; none if the point is not a vertex.
   HalfEdgeId vertex_half_edge(PointId v) const { return vertex_half_edges_[at(v)]; }
   bool is_vertex(PointId v) const { return vertex_half_edges_[at(v)] >= 0; }
+  /// Of a *pinched* vertex, whose star has several components (half-disks): half-edges that leave it, at least one of
+  /// each component; empty for every other vertex.
+  std::span<const HalfEdgeId> pinched_half_edges(PointId v) const {
+    if (pinches_.empty()) return {};
+    const auto found = pinches_.find(v);
+    return found == pinches_.end() ? std::span<const HalfEdgeId>() : std::span<const HalfEdgeId>(found->second);
+  }
+  bool is_pinched(PointId v) const { return !pinched_half_edges(v).empty(); }
   bool is_point_alive(PointId p) const { return vertex_half_edges_[at(p)] != free_slot; }
   const NetLayout& layout() const { return *layout_; }
 
@@ -153,6 +161,9 @@ class Mesh {
   void put_value(std::size_t field, std::size_t i, double value);
   void undo(std::size_t mark);
   std::int32_t make_place(PointId p, FaceId f);
+  bool leaves(HalfEdgeId h, PointId v) const { return is_alive(triangle_of(h)) && origin(h) == v; }
+  void note_pinched(PointId v, HalfEdgeId h);
+  void forget_stale_pinches();
 
   int degree_ = 2;
   int net_size_ = 6;
@@ -170,6 +181,10 @@ class Mesh {
   std::vector<PointId> constraint_firsts_;
   std::vector<double> constraint_starts_;
   std::vector<Field> fields_;
+  // Half-edges at pinched vertices; what operations make is added and, as long as they may be undone, nothing goes:
+  // some may lead from elsewhere by now, but one of each component does not.
+  std::unordered_map<PointId, std::vector<HalfEdgeId>> pinches_;
+  std::vector<PointId> changed_pinches_;
   std::unordered_map<std::uint64_t, std::int32_t> places_;  // of fields by face: (point, face) -> place
   std::vector<std::int32_t> free_places_;
   std::int32_t place_count_ = 0;

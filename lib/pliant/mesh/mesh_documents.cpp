@@ -53,6 +53,22 @@ void Mesh::connect(const MeshData& data, const HalfEdges& half_edges) {
     for (int e = 3; e-- > 0;)
       vertex_half_edges_[at(data.triangles[t * at(net_size_) + at(e)])] = half_edge(static_cast<TriangleId>(t), e);
 
+  // Each component of an open star begins with a half-edge that has no triangle on the other side.
+  std::vector<char> is_open(data.points.size(), 0);
+  std::vector<PointId> pinched;
+  for (HalfEdgeId h = 0; h < static_cast<HalfEdgeId>(twins_.size()); ++h) {
+    if (twins_[at(h)] != none) continue;
+    const PointId v = data.triangles[at(triangle_of(h)) * at(net_size_) + at(edge_of(h))];
+    if (is_open[at(v)] == 1) pinched.push_back(v);
+    if (is_open[at(v)] < 2) ++is_open[at(v)];
+  }
+  for (const PointId v : pinched) pinches_[v];
+  for (HalfEdgeId h = 0; !pinched.empty() && h < static_cast<HalfEdgeId>(twins_.size()); ++h) {
+    if (twins_[at(h)] != none) continue;
+    const auto found = pinches_.find(data.triangles[at(triangle_of(h)) * at(net_size_) + at(edge_of(h))]);
+    if (found != pinches_.end()) found->second.push_back(h);
+  }
+
   std::vector<std::vector<double>> breaks(boundary_.curves.size());
   for (const ConstrainedEdge& edge : data.constrained_edges) {
     std::vector<double>& starts = breaks[at(edge.curve)];

@@ -1,18 +1,23 @@
 #include "pliant/mesh/star.h"
 
+#include <algorithm>
+
 namespace pliant {
 
-void find_star(const Mesh& mesh, PointId v, Star& star) {
-  star.outgoing.clear();
-  star.is_closed = false;
-  const HalfEdgeId start = mesh.vertex_half_edge(v);
-  if (start < 0) return;
+namespace {
+
+/// Adds the component of a star that contains h, if it is not there yet. True if h comes back round.
+bool add_component(const Mesh& mesh, HalfEdgeId start, Star& star) {
+  if (star.components > 0 && std::find(star.outgoing.begin(), star.outgoing.end(), start) != star.outgoing.end())
+    return false;
+  ++star.components;
   // Clockwise to the outer boundary, if there is one; then all counter-clockwise from there.
+  bool is_closed = false;
   HalfEdgeId h = start;
   while (mesh.twin(h) != none) {
     h = next(mesh.twin(h));
     if (h == start) {
-      star.is_closed = true;
+      is_closed = true;
       break;
     }
   }
@@ -21,35 +26,56 @@ void find_star(const Mesh& mesh, PointId v, Star& star) {
     star.outgoing.push_back(h);
     h = mesh.twin(previous(h));
   } while (h != none && h != first);
+  return is_closed;
 }
 
-HalfEdgeId find_half_edge(const Mesh& mesh, PointId a, PointId b) {
-  const HalfEdgeId start = mesh.vertex_half_edge(a);
-  if (start < 0) return none;
+/// The first half-edge of a component of a star, on either way round from `start`, for which `is_it` holds; or none.
+template <class IsIt>
+HalfEdgeId find_around(const Mesh& mesh, HalfEdgeId start, IsIt is_it) {
   HalfEdgeId h = start;
   do {  // counter-clockwise
-    if (mesh.target(h) == b) return h;
+    if (is_it(h)) return h;
     h = mesh.twin(previous(h));
   } while (h != none && h != start);
   if (h == start) return none;
-  for (h = mesh.twin(start); h != none; h = mesh.twin(next(h))) {  // clockwise
-    if (mesh.target(next(h)) == b) return next(h);
-  }
+  for (h = mesh.twin(start); h != none; h = mesh.twin(next(h)))  // clockwise
+    if (is_it(next(h))) return next(h);
   return none;
 }
 
+/// The same over all components of the star of v.
+template <class IsIt>
+HalfEdgeId find_at(const Mesh& mesh, PointId v, IsIt is_it) {
+  const HalfEdgeId start = mesh.vertex_half_edge(v);
+  if (start < 0) return none;
+  HalfEdgeId found = find_around(mesh, start, is_it);
+  if (found != none) return found;
+  for (const HalfEdgeId h : mesh.pinched_half_edges(v))
+    if (mesh.is_alive(triangle_of(h)) && mesh.origin(h) == v && (found = find_around(mesh, h, is_it)) != none)
+      return found;
+  return none;
+}
+
+}  // namespace
+
+void find_star(const Mesh& mesh, PointId v, Star& star) {
+  star.outgoing.clear();
+  star.is_closed = false;
+  star.components = 0;
+  const HalfEdgeId start = mesh.vertex_half_edge(v);
+  if (start < 0) return;
+  star.is_closed = add_component(mesh, start, star);
+  for (const HalfEdgeId h : mesh.pinched_half_edges(v))
+    if (mesh.is_alive(triangle_of(h)) && mesh.origin(h) == v) add_component(mesh, h, star);
+}
+
+HalfEdgeId find_half_edge(const Mesh& mesh, PointId a, PointId b) {
+  return find_at(mesh, a, [&mesh, b](HalfEdgeId h) { return mesh.target(h) == b; });
+}
+
 bool are_joined(const Mesh& mesh, PointId a, PointId b) {
-  const HalfEdgeId start = mesh.vertex_half_edge(a);
-  if (start < 0) return false;
-  for (HalfEdgeId h = start;;) {  // counter-clockwise; the last edge of an open star leads only to a
-    if (mesh.target(h) == b || mesh.apex(h) == b) return true;
-    h = mesh.twin(previous(h));
-    if (h == start) return false;
-    if (h == none) break;
-  }
-  for (HalfEdgeId h = mesh.twin(start); h != none; h = mesh.twin(next(h)))  // clockwise
-    if (mesh.target(next(h)) == b) return true;
-  return false;
+  // The last edge of an open star leads only to a.
+  return find_at(mesh, a, [&mesh, b](HalfEdgeId h) { return mesh.target(h) == b || mesh.apex(h) == b; }) != none;
 }
 
 bool is_on_curve(const Mesh& mesh, const Star& star) {

@@ -9,6 +9,7 @@ namespace pliant {
 struct Star {
   std::vector<HalfEdgeId> outgoing;  ///< triangle_of each is a triangle of the star, in order
   bool is_closed = false;            ///< the vertex is not on the outer boundary
+  int components = 0;                ///< 1, or more at a pinched vertex: half-disks, one after the other
 
   int degree() const { return static_cast<int>(outgoing.size()); }
 };

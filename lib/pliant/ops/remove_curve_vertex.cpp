@@ -29,6 +29,7 @@ void constrained_at(const Mesh& mesh, const Star& star, std::vector<HalfEdgeId>&
 }
 
 Passage passage_at(const Mesh& mesh, PointId v, const Star& star) {
+  if (star.components != 1) return {};
   thread_local std::vector<HalfEdgeId> edges;
   constrained_at(mesh, star, edges);
   if (edges.size() != 2) return {};
@@ -173,7 +174,7 @@ CurveRemoval remove_curve_vertex(Mesh& mesh, PointId v, const CurveTolerance& to
   Star star;
   find_star(mesh, v, star);
   const Passage passage = passage_at(mesh, v, star);
-  if (passage.curve == none) return {Refusal::corner, 0};
+  if (passage.curve == none) return {Refusal::corner, 0};  // or pinched, or on no curve
   const Curve& curve = mesh.boundary().curves[at(passage.curve)];
   const ConstraintId kept = mesh.constraint(passage.before), dropped = mesh.constraint(passage.after);
   const double knot = mesh.constraint_start(dropped), start = mesh.constraint_start(kept);
@@ -242,8 +243,11 @@ CurveRemoval remove_curve_vertex(Mesh& mesh, PointId v, const CurveTolerance& to
   std::vector<TriangleId> before;  // all elements that change, as they were
   for (const HalfEdgeId h : star.outgoing) add_once(before, triangle_of(h));
   Star other;
-  for (const PointId w : footprint.moved) {
-    find_star(mesh, w, other);
+  for (std::size_t k = 0; k < footprint.moved.size(); ++k) {
+    find_star(mesh, footprint.moved[k], other);
+    // Where something else holds on to the vertex it cannot move.
+    if (footprint.shifts[k] != Vector{} && passage_at(mesh, footprint.moved[k], other).curve == none)
+      return {Refusal::corner, *error};
     for (const HalfEdgeId h : other.outgoing) add_once(before, triangle_of(h));
   }
   for (const HalfEdgeId h : footprint.half_edges)
