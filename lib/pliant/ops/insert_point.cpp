@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cassert>
 #include <vector>
 
 #include "pliant/geometry/control_net.h"
@@ -36,6 +35,8 @@ Pieces& scratch(int which = 0) {
   thread_local std::array<Pieces, 2> pieces;
   return pieces[static_cast<std::size_t>(which)];
 }
+
+constexpr double outside_by = 1e-9;  // barycentric: what locating rounds
 
 constexpr Barycentric unit(int corner) {
   return {corner == 0 ? 1.0 : 0.0, corner == 1 ? 1.0 : 0.0, corner == 2 ? 1.0 : 0.0};
@@ -94,6 +95,7 @@ InsertResult insert_inside(Mesh& mesh, TriangleId t, const Barycentric& xi) {
 
 InsertResult insert_point(Mesh& mesh, TriangleId t, const Barycentric& xi, double edge_tolerance) {
   const auto least = std::min_element(xi.begin(), xi.end());
+  if (!(xi[0] + xi[1] + xi[2] < 2) || *least < -edge_tolerance - outside_by) return {Refusal::not_in_domain, none};
   if (*least >= edge_tolerance) return insert_inside(mesh, t, xi);
   const int corner = static_cast<int>(least - xi.begin());
   const int edge = (corner + 1) % 3;  // opposite
@@ -104,7 +106,7 @@ InsertResult insert_point(Mesh& mesh, TriangleId t, const Barycentric& xi, doubl
 }
 
 InsertResult split_edge(Mesh& mesh, HalfEdgeId h, double s) {
-  assert(s > 0 && s < 1);
+  if (!(s > 0 && s < 1)) return {Refusal::not_in_domain, none};
   const ConstraintId constraint = mesh.constraint(h);
   Transaction transaction(mesh);
   const int p = mesh.degree();

@@ -11,7 +11,8 @@ struct InsertResult {
 
 /// Subdivides the triangle at xi (de Casteljau): geometry and fields unchanged. Where a coordinate of xi is below
 /// `edge_tolerance` that edge is split instead (2→4 or 1→2; on a curve: knot insertion).
-/// The new vertex's triangles are the slot of `t` and new ones.
+/// The new vertex's triangles are the slot of `t` and new ones. Refused as not_in_domain where xi is no point of t, as
+/// edge_exists where it is a vertex.
 InsertResult insert_point(Mesh& mesh, TriangleId t, const Barycentric& xi, double edge_tolerance = 1e-6);
 
 /// Splits an edge at s in (0, 1) along the half-edge; on a curve at the knot that this is, which is inserted.
