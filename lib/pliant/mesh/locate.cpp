@@ -25,7 +25,7 @@ constexpr long steps_per_triangle = 4;      // that making the tree costs, rough
 
 constexpr std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-bool is_inside(const Barycentric& xi) { return std::min({xi[0], xi[1], xi[2]}) >= -inside_tolerance; }
+double least_of(const Barycentric& xi) { return std::min({xi[0], xi[1], xi[2]}); }
 
 }  // namespace
 
@@ -41,6 +41,14 @@ std::optional<Barycentric> Locator::invert(TriangleId t, const Point& p) const {
   std::array<Point, net_size(max_degree)> net;
   mesh_.gather_points(t, net);
   return invert_map(mesh_.degree(), {net.data(), at(mesh_.net_size())}, p, tolerance(p));
+}
+
+/// As `invert`, but empty only where the element does not contain p, or breaks M3.
+std::optional<Barycentric> Locator::search(TriangleId t, const Point& p) const {
+  std::array<Point, net_size(max_degree)> net;
+  mesh_.gather_points(t, net);
+  const ElementSearch search = find_in_element(mesh_.degree(), {net.data(), at(mesh_.net_size())}, p, tolerance(p));
+  return search.answer == SearchAnswer::found ? std::optional(search.xi) : std::nullopt;
 }
 
 /// The triangle that the logical walk ends in: it contains p, or the walk met the outer boundary or was too long.
@@ -135,11 +143,9 @@ std::optional<Location> Locator::search_tree(const Point& p) {
   if (tree_.empty()) tree_.build(mesh_, inside_tolerance * mesh_.size());
   std::optional<Location> found;
   tree_.visit(p, [&](TriangleId t) {
-    std::array<Point, net_size(max_degree)> net;
-    mesh_.gather_points(t, net);
-    const ElementSearch search = find_in_element(mesh_.degree(), {net.data(), at(mesh_.net_size())}, p, tolerance(p));
-    if (search.answer == SearchAnswer::found) found = Location{t, search.xi};
-    return found.has_value();
+    const auto xi = search(t, p);
+    if (xi) found = Location{t, *xi};
+    return xi.has_value();
   });
   return found;
 }
@@ -147,7 +153,7 @@ std::optional<Location> Locator::search_tree(const Point& p) {
 /// Of the elements about p's edge or vertex that contain p: by crossing those edges that p is near.
 Location Locator::least_around(const Point& p, const Location& found) const {
   Location least = found;
-  if (std::min({found.xi[0], found.xi[1], found.xi[2]}) > near_edge) return least;
+  if (least_of(found.xi) > near_edge) return least;
   std::array<Location, max_around> around;
   around[0] = found;
   int known = 1;
@@ -159,10 +165,11 @@ Location Locator::least_around(const Point& p, const Location& found) const {
       const TriangleId t = triangle_of(across);
       if (std::any_of(around.data(), around.data() + known, [t](const Location& l) { return l.triangle == t; }))
         continue;
-      const auto xi = invert(t, p);
-      if (!xi || std::min({(*xi)[0], (*xi)[1], (*xi)[2]}) < -near_edge) continue;
+      auto xi = invert(t, p);
+      if (!xi || least_of(*xi) < -near_edge) xi = search(t, p);  // Newton may end in a place beyond, far from p's own
+      if (!xi) continue;
       around[at(known++)] = {t, *xi};
-      if (t < least.triangle && is_inside(*xi)) least = {t, *xi};
+      if (t < least.triangle && least_of(*xi) >= -inside_tolerance) least = {t, *xi};
     }
   return least;
 }

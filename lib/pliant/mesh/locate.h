@@ -56,6 +56,7 @@ class Locator {
   Location least_around(const Point& p, const Location& found) const;
   TriangleId walk_logical(const Point& p, TriangleId t, long most_steps);
   std::optional<Barycentric> invert(TriangleId t, const Point& p) const;
+  std::optional<Barycentric> search(TriangleId t, const Point& p) const;
   double tolerance(const Point& p) const;
   bool is_triangle(TriangleId t) const { return t >= 0 && t < mesh_.triangle_slots() && mesh_.is_alive(t); }
   long most_steps() const;
