@@ -115,11 +115,10 @@ std::optional<Location> Locator::find(const Point& p, TriangleId hint) {
 }
 
 std::optional<Location> Locator::walk_or_search(const Point& p, TriangleId hint) {
-  if (!is_triangle(hint)) {
-    if (!tree_.empty() || steps_ > steps_per_triangle * mesh_.triangle_count()) return search_tree(p);
-    hint = nearest_of_some(p);
-  }
-  if (auto found = walk(p, hint, tree_.empty() ? most_steps() : steps_to_tree)) return found;
+  if (is_triangle(hint))
+    if (auto found = walk(p, hint, tree_.empty() ? most_steps() : steps_to_tree)) return found;
+  if (tree_.empty() && steps_ <= steps_per_triangle * mesh_.triangle_count())
+    if (auto found = walk(p, nearest_of_some(p), most_steps())) return found;
   return search_tree(p);
 }
 

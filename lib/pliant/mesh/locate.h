@@ -28,12 +28,11 @@ class Locator {
   explicit Locator(const Mesh& mesh) : mesh_(mesh) {}
   /// The element that contains p; empty if p is outside the domain. A hint that is not a live triangle counts as none.
   ///
-  /// Without a tree it walks, from the hint or from the nearest of a few triangles; the tree is made when a walk fails,
-  /// and at a point without a hint when walks have taken as many steps as making it is worth.
+  /// Walks from the hint; without one, or where that fails, from the nearest of a few triangles as long as there is no
+  /// tree. The tree is made when that fails too, and once all walks have taken as many steps as making it is worth.
   ///
-  /// Complexity  expected O(1) from a near hint; without, some O(n^(1/3)), and O(log n) once there is a tree; no walk
-  /// has
-  ///             more than O(sqrt n) steps
+  /// Complexity  expected O(1) from a near hint; without, some O(n^(1/3)), and O(log n) once there is a tree; walks end
+  ///             after O(sqrt n) steps
   std::optional<Location> find(const Point& p, TriangleId hint = none);
   /// The same for many points: found[k] is what find(points[k]) gives. Takes them in Hilbert order, each with the one
   /// before as its hint.
@@ -46,7 +45,10 @@ class Locator {
   ///
   /// Complexity  expected O(1) from a near hint; never more than O(sqrt n) steps
   std::optional<Location> walk(const Point& p, TriangleId hint);
-  void forget_tree() { tree_.clear(); }
+  void forget_tree() {
+    tree_.clear();
+    steps_ = 0;
+  }
 
  private:
   std::optional<Location> walk(const Point& p, TriangleId hint, long most_steps);
@@ -63,8 +65,8 @@ class Locator {
 
   const Mesh& mesh_;
   TriangleTree tree_;
-  TriangleId last_ = none;  // where the last point was found
-  long steps_ = 0;          // of all walks
+  TriangleId last_ = none;  // where the last point was found: the hint for the next of many
+  long steps_ = 0;          // of all walks since there is no tree
 };
 
 }  // namespace pliant
