@@ -100,6 +100,18 @@ void Mesh::set_point(PointId p, const Point& position) {
   old = position;
 }
 
+void Mesh::insert_place(std::uint64_t key, std::int32_t place) {
+  if (spare_nodes_.nodes.empty()) {
+    places_.emplace(key, place);
+    return;
+  }
+  Places::node_type node = std::move(spare_nodes_.nodes.back());
+  spare_nodes_.nodes.pop_back();
+  node.key() = key;
+  node.mapped() = place;
+  places_.insert(std::move(node));
+}
+
 std::int32_t Mesh::make_place(PointId p, FaceId f) {
   std::int32_t place;
   if (!free_places_.empty()) {
@@ -112,7 +124,7 @@ std::int32_t Mesh::make_place(PointId p, FaceId f) {
       if (field.by_face) field.values.resize(at(place_count_) * at(field.components));
     log(Log::grow_places, 0, 0);
   }
-  places_.emplace(place_key(p, f), place);
+  insert_place(place_key(p, f), place);
   log(Log::insert_place, 0, place_key(p, f));
   changed_ = true;
   return place;
@@ -124,7 +136,7 @@ void Mesh::drop_place(PointId p, FaceId f) {
   log(Log::erase_place, static_cast<std::size_t>(found->second), found->first);
   free_places_.push_back(found->second);
   log(Log::push_place, 0, 0);
-  places_.erase(found);
+  erase_place(found);
   changed_ = true;
 }
 
@@ -375,10 +387,10 @@ void Mesh::undo(std::size_t mark) {
         free_places_.pop_back();
         break;
       case Log::insert_place:
-        places_.erase(entry.bits);
+        erase_place(places_.find(entry.bits));
         break;
       case Log::erase_place:
-        places_.emplace(entry.bits, static_cast<std::int32_t>(entry.index));
+        insert_place(entry.bits, static_cast<std::int32_t>(entry.index));
         break;
       case Log::spline: {
         SplineBackup& backup = spline_log_.back();

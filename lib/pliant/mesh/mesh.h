@@ -185,7 +185,20 @@ class Mesh {
   // some may lead from elsewhere by now, but one of each component does not.
   std::unordered_map<PointId, std::vector<HalfEdgeId>> pinches_;
   std::vector<PointId> changed_pinches_;
-  std::unordered_map<std::uint64_t, std::int32_t> places_;  // of fields by face: (point, face) -> place
+  using Places = std::unordered_map<std::uint64_t, std::int32_t>;  // of fields by face: (point, face) -> place
+  /// Nodes of dropped places, for those to come; a copy of the mesh starts without.
+  struct SpareNodes {
+    SpareNodes() = default;
+    SpareNodes(const SpareNodes&) {}
+    SpareNodes(SpareNodes&&) = default;
+    SpareNodes& operator=(const SpareNodes&) { return *this; }
+    SpareNodes& operator=(SpareNodes&&) = default;
+    std::vector<Places::node_type> nodes;
+  };
+  void insert_place(std::uint64_t key, std::int32_t place);
+  void erase_place(Places::const_iterator found) { spare_nodes_.nodes.push_back(places_.extract(found)); }
+  Places places_;
+  SpareNodes spare_nodes_;
   std::vector<std::int32_t> free_places_;
   std::int32_t place_count_ = 0;
   bool has_by_face_ = false;

@@ -1,11 +1,11 @@
 #include "pliant/ops/even_jacobian.h"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "pliant/geometry/jacobian.h"
+#include "pliant/ops/solve_dense.h"
 
 namespace pliant {
 namespace {
@@ -41,48 +41,54 @@ void jacobian_ratios(const Mesh& mesh, std::span<const TriangleId> elements, std
 
 bool step_to_even_jacobian(Mesh& mesh, std::span<const TriangleId> elements, std::span<const PointId> points,
                            std::span<const double> targets, std::span<const double> weights, double part) {
-  thread_local Eigen::VectorXd ratios, moved, weight, way;
-  thread_local Eigen::MatrixXd slopes, weighted, normal;
-  thread_local Eigen::LDLT<Eigen::MatrixXd> factors;
-  const auto count = static_cast<Eigen::Index>(elements.size() * coefficients_of(mesh));
-  const auto unknowns = static_cast<Eigen::Index>(2 * points.size());
-  const auto gather = [&](Eigen::VectorXd& into) {
+  thread_local std::vector<double> ratios, moved, weight, slopes, normal, way;
+  const std::size_t count = elements.size() * coefficients_of(mesh), unknowns = 2 * points.size();
+  const auto gather = [&](std::vector<double>& into) {
     into.resize(count);
-    jacobian_ratios(mesh, elements, targets, {into.data(), static_cast<std::size_t>(count)});
+    jacobian_ratios(mesh, elements, targets, into);
   };
-  if (weights.empty())
-    weight.setOnes(count);
-  else
-    weight = Eigen::Map<const Eigen::VectorXd>(weights.data(), count);
-  const auto sum_of = [&](const Eigen::VectorXd& r) { return (weight.array() * (r.array() - 1).square()).sum(); };
+  weight.assign(count, 1.0);
+  std::copy(weights.begin(), weights.end(), weight.begin());
+  const auto sum_of = [&](const std::vector<double>& r) {
+    double sum = 0;
+    for (std::size_t i = 0; i < count; ++i) sum += weight[i] * (r[i] - 1) * (r[i] - 1);
+    return sum;
+  };
 
   gather(ratios);
-  slopes.resize(count, unknowns);
+  slopes.resize(count * unknowns);  // one unknown after the other
   const double length = longest_edge(mesh, elements);
   const double step = std::ldexp(length, -10);
-  for (Eigen::Index u = 0; u < unknowns; ++u) {
-    const PointId p = points[static_cast<std::size_t>(u / 2)];
+  for (std::size_t u = 0; u < unknowns; ++u) {
+    const PointId p = points[u / 2];
     const Point place = mesh.point(p);
     mesh.set_point(p, place + (u % 2 == 0 ? Vector{step, 0} : Vector{0, step}));
     gather(moved);
-    slopes.col(u) = (moved - ratios) * (length / step);
+    for (std::size_t i = 0; i < count; ++i) slopes[u * count + i] = (moved[i] - ratios[i]) * (length / step);
     mesh.set_point(p, place);
   }
-  weighted = weight.asDiagonal() * slopes;
-  normal.setIdentity(unknowns, unknowns);
-  normal *= attachment;
-  normal.noalias() += slopes.transpose().lazyProduct(weighted);
-  way.noalias() = weighted.transpose() * (1 - ratios.array()).matrix();
-  factors.compute(normal);
-  factors.solveInPlace(way);
-  if (!way.allFinite()) return false;
+  normal.resize(unknowns * unknowns);
+  way.resize(unknowns);
+  for (std::size_t u = 0; u < unknowns; ++u) {
+    const double* const slope = slopes.data() + u * count;
+    way[u] = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+      moved[i] = weight[i] * slope[i];
+      way[u] += moved[i] * (1 - ratios[i]);
+    }
+    for (std::size_t v = 0; v <= u; ++v) {
+      double sum = u == v ? attachment : 0;
+      for (std::size_t i = 0; i < count; ++i) sum += moved[i] * slopes[v * count + i];
+      normal[u * unknowns + v] = normal[v * unknowns + u] = sum;
+    }
+  }
+  solve_dense(static_cast<int>(unknowns), normal, 1, way);
+  if (!std::all_of(way.begin(), way.end(), [](double w) { return std::isfinite(w); })) return false;
 
   const double before = sum_of(ratios);
   const auto go = [&](double scale) {
-    for (std::size_t k = 0; k < points.size(); ++k) {
-      const auto u = static_cast<Eigen::Index>(2 * k);
-      mesh.set_point(points[k], mesh.point(points[k]) + scale * Vector{way(u), way(u + 1)});
-    }
+    for (std::size_t k = 0; k < points.size(); ++k)
+      mesh.set_point(points[k], mesh.point(points[k]) + scale * Vector{way[2 * k], way[2 * k + 1]});
   };
   double gone = part * length;
   go(gone);

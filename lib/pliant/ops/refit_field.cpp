@@ -1,5 +1,4 @@
 // The fields of a patch in its new geometry: least squares, integral kept, values limited.
-#include <Eigen/Dense>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -10,6 +9,7 @@
 #include "pliant/mesh/star.h"
 #include "pliant/ops/node_basis.h"
 #include "pliant/ops/refit.h"
+#include "pliant/ops/solve_dense.h"
 
 namespace pliant {
 namespace {
@@ -185,15 +185,14 @@ void Patch::fit_group(Mesh& mesh, std::span<const TriangleId> now, std::span<con
     const Field& field = mesh.fields()[at(group.fields[at(c)])];
     return first < 0 ? 0.0 : field.values[static_cast<std::size_t>(first + group.components[at(c)])];
   };
-  const bool sample = n > 0 && !(conserve && n == 1);  // one value and one integral: nothing is left to fit
-  thread_local Eigen::MatrixXd normal, right, system;
-  thread_local Eigen::VectorXd weight, rest, b, x;
-  thread_local Eigen::FullPivLU<Eigen::MatrixXd> factors;
+  const bool sample = n > 0 && !(conserve && n == 1);         // one value and one integral: nothing is left to fit
+  thread_local std::vector<double> normal, right, system, x;  // n x n, n x columns; of what is open now
+  thread_local std::vector<double> weight, rest;
   thread_local std::vector<char> held;
   thread_local std::vector<int> open;
-  normal.setZero(n, n);
-  right.setZero(n, columns);
-  weight.setZero(n);
+  normal.assign(at(n * n), 0.0);
+  right.assign(at(n * columns), 0.0);
+  weight.assign(at(n), 0.0);
   std::array<int, net_size(max_degree)> unknown;
   thread_local std::vector<double> known, value;
   known.resize(at(n_ * columns));
@@ -207,7 +206,7 @@ void Patch::fit_group(Mesh& mesh, std::span<const TriangleId> now, std::span<con
     for (int k = 0; k < n_; ++k) {
       unknown[at(k)] = unknown_of(ids[at(k)]);
       if (unknown[at(k)] >= 0) {
-        if (conserve) weight[unknown[at(k)]] += weights[at(k)];
+        if (conserve) weight[at(unknown[at(k)])] += weights[at(k)];
         continue;
       }
       for (int c = 0; c < columns; ++c) {
@@ -246,9 +245,11 @@ void Patch::fit_group(Mesh& mesh, std::span<const TriangleId> now, std::span<con
           for (int c = 0; c < columns; ++c) value[at(c)] -= basis[at(k)] * known[at(k * columns + c)];
       for (int k = 0; k < n_; ++k) {
         if (unknown[at(k)] < 0) continue;
-        for (int c = 0; c < columns; ++c) right(unknown[at(k)], c) += measure * basis[at(k)] * value[at(c)];
+        for (int c = 0; c < columns; ++c)
+          right[at(unknown[at(k)] * columns + c)] += measure * basis[at(k)] * value[at(c)];
         for (int m = 0; m < n_; ++m)
-          if (unknown[at(m)] >= 0) normal(unknown[at(k)], unknown[at(m)]) += measure * basis[at(k)] * basis[at(m)];
+          if (unknown[at(m)] >= 0)
+            normal[at(unknown[at(k)] * n + unknown[at(m)])] += measure * basis[at(k)] * basis[at(m)];
       }
     }
   }
@@ -261,9 +262,14 @@ void Patch::fit_group(Mesh& mesh, std::span<const TriangleId> now, std::span<con
     return Range{std::min(0.0, std::max(v.low - l, r.low)), std::max(0.0, std::min(v.high - l, r.high))};
   };
 
+  double unit = 0, weight_unit = 0;  // the equality's row in the scale of the others
+  for (int i = 0; i < n; ++i) {
+    unit += normal[at(i * n + i)] / n;
+    weight_unit = std::max(weight_unit, std::abs(weight[at(i)]));
+  }
   for (int c = 0; c < columns; ++c) {
     // Least squares with one equality; what leaves its range is held at the bound, and the rest solved again.
-    rest.setZero(n);
+    rest.assign(at(n), 0.0);
     held.assign(at(n), 0);
     double missing = conserve ? target[at(c)] : 0;
     for (int round = 0; round <= n && n > 0; ++round) {
@@ -271,49 +277,47 @@ void Patch::fit_group(Mesh& mesh, std::span<const TriangleId> now, std::span<con
       for (int i = 0; i < n; ++i)
         if (!held[at(i)]) open.push_back(i);
       if (open.empty()) break;
-      const int m = static_cast<int>(open.size()), rows_of_system = m + (conserve ? 1 : 0);
+      const int m = static_cast<int>(open.size()), size = m + (conserve ? 1 : 0);
       double integral = missing;
       for (int i = 0; i < n; ++i)
-        if (held[at(i)]) integral -= weight[i] * rest[i];
+        if (held[at(i)]) integral -= weight[at(i)] * rest[at(i)];
       if (conserve && m == 1) {
-        rest[open[0]] = integral / weight[open[0]];
+        rest[at(open[0])] = integral / weight[at(open[0])];
       } else {
-        system.setZero(rows_of_system, rows_of_system);
-        b.setZero(rows_of_system);
-        const double unit = normal.trace() / n;  // the equality's row in the scale of the others
-        const double weight_unit = conserve ? weight.cwiseAbs().maxCoeff() : 1;
+        system.assign(at(size * size), 0.0);
+        x.assign(at(size), 0.0);
         for (int i = 0; i < m; ++i) {
-          b[i] = right(open[at(i)], c);
-          for (int j = 0; j < m; ++j) system(i, j) = normal(open[at(i)], open[at(j)]);
+          const int row = open[at(i)];
+          x[at(i)] = right[at(row * columns + c)];
+          for (int j = 0; j < m; ++j) system[at(i * size + j)] = normal[at(row * n + open[at(j)])];
           for (int j = 0; j < n; ++j)
-            if (held[at(j)]) b[i] -= normal(open[at(i)], j) * rest[j];
-          if (conserve) system(i, m) = system(m, i) = weight[open[at(i)]] * unit / weight_unit;
+            if (held[at(j)]) x[at(i)] -= normal[at(row * n + j)] * rest[at(j)];
+          if (conserve) system[at(i * size + m)] = system[at(m * size + i)] = weight[at(row)] * unit / weight_unit;
         }
-        if (conserve) b[m] = integral * unit / weight_unit;
-        if (rows_of_system == 1)
-          x = b / system(0, 0);
-        else
-          x = factors.compute(system).solve(b);
-        for (int i = 0; i < m; ++i) rest[open[at(i)]] = x[i];
+        if (conserve) x[at(m)] = integral * unit / weight_unit;
+        solve_dense(size, system, 1, x);
+        for (int i = 0; i < m; ++i) rest[at(open[at(i)])] = x[at(i)];
       }
       bool clipped = false;
       for (const int i : open) {
         if (!limit) continue;
-        const double within = residual_range(mesh.point(unknowns[at(i)]), c).clamp(rest[i]);
-        if (within == rest[i] && std::isfinite(rest[i])) continue;
-        rest[i] = std::isfinite(rest[i]) ? within : 0.0;
+        const double within = residual_range(mesh.point(unknowns[at(i)]), c).clamp(rest[at(i)]);
+        if (within == rest[at(i)] && std::isfinite(rest[at(i)])) continue;
+        rest[at(i)] = std::isfinite(rest[at(i)]) ? within : 0.0;
         held[at(i)] = 1;
         clipped = true;
       }
       if (!clipped) break;
     }
     for (int i = 0; i < n; ++i) {
-      missing -= conserve ? weight[i] * rest[i] : 0;
+      missing -= conserve ? weight[at(i)] * rest[at(i)] : 0;
       const PointId p = unknowns[at(i)];
       mesh.put_component(group.fields[at(c)], group.components[at(c)], p, group.face,
-                         rest[i] + evaluate(linear[at(c)], mesh.point(p)));
+                         rest[at(i)] + evaluate(linear[at(c)], mesh.point(p)));
     }
-    const double noise = 1e-15 * weight.cwiseAbs().sum() * (std::abs(values[at(c)].low) + std::abs(values[at(c)].high));
+    double weights_sum = 0;
+    for (const double w : weight) weights_sum += std::abs(w);
+    const double noise = 1e-15 * weights_sum * (std::abs(values[at(c)].low) + std::abs(values[at(c)].high));
     if (!conserve || std::abs(missing) <= noise) continue;
 
     // The integral that the free values could not keep: over the values of the elements' own edges, then the corners.

@@ -1,5 +1,4 @@
 // Places for the new control points of a patch: the displacement field of the logical region, fitted.
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -13,6 +12,7 @@
 #include "pliant/ops/even_jacobian.h"
 #include "pliant/ops/node_basis.h"
 #include "pliant/ops/refit.h"
+#include "pliant/ops/solve_dense.h"
 
 namespace pliant {
 namespace {
@@ -160,10 +160,10 @@ void Patch::fit_displacement(const Mesh& mesh, std::span<const TriangleId> now, 
                              std::span<const double> displacement, std::span<Vector> solution) const {
   const NetLayout& layout = NetLayout::of(degree_);
   const NodeBasis& table = node_basis(degree_);
-  const auto unknowns = static_cast<Eigen::Index>(free.size());
-  thread_local Eigen::MatrixXd normal, right;
-  normal.setZero(unknowns, unknowns);
-  right.setZero(unknowns, 2);
+  const int unknowns = static_cast<int>(free.size());
+  thread_local std::vector<double> normal, right;
+  normal.assign(at(unknowns * unknowns), 0.0);
+  right.assign(at(2 * unknowns), 0.0);
   std::array<Vector, net_size(max_degree)> known;
   std::array<int, net_size(max_degree)> unknown;
   std::array<double, net_size(max_degree)> old_basis;
@@ -196,21 +196,16 @@ void Patch::fit_displacement(const Mesh& mesh, std::span<const TriangleId> now, 
       const double weight = table.nodes[node].weight * area;
       for (int k = 0; k < n_; ++k) {
         if (unknown[at(k)] < 0) continue;
-        right(unknown[at(k)], 0) += weight * basis[at(k)] * rest.x;
-        right(unknown[at(k)], 1) += weight * basis[at(k)] * rest.y;
+        right[at(2 * unknown[at(k)])] += weight * basis[at(k)] * rest.x;
+        right[at(2 * unknown[at(k)] + 1)] += weight * basis[at(k)] * rest.y;
         for (int m = 0; m < n_; ++m)
-          if (unknown[at(m)] >= 0) normal(unknown[at(k)], unknown[at(m)]) += weight * basis[at(k)] * basis[at(m)];
+          if (unknown[at(m)] >= 0)
+            normal[at(unknown[at(k)] * unknowns + unknown[at(m)])] += weight * basis[at(k)] * basis[at(m)];
       }
     }
   }
-  if (unknowns == 1) {
-    solution[0] = Vector{right(0, 0), right(0, 1)} / normal(0, 0);
-    return;
-  }
-  thread_local Eigen::LDLT<Eigen::MatrixXd> factors;
-  factors.compute(normal);
-  right = factors.solve(right).eval();
-  for (Eigen::Index u = 0; u < unknowns; ++u) solution[static_cast<std::size_t>(u)] = {right(u, 0), right(u, 1)};
+  solve_dense(unknowns, normal, 2, right);
+  for (int u = 0; u < unknowns; ++u) solution[at(u)] = {right[at(2 * u)], right[at(2 * u + 1)]};
 }
 
 bool Patch::fit_geometry(Mesh& mesh, std::span<const TriangleId> now, std::span<const PointId> free,
