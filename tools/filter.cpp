@@ -242,19 +242,32 @@ int run_filter(CLI::App& app, int argc, char** argv, const std::function<PassRep
       watch.lap();
       line.stage("read");
       MeshData data = read_mesh(document);
-      const double read = watch.lap();
+      std::vector<std::pair<std::string, double>> seconds{{"read", watch.lap()}};
       line.stage("check");
       require_mesh(data, filter.accepts_tangled);
+      double checking = watch.lap(), measuring = 0;
+      std::optional<QualityChange> quality;
+      if (reports.is_wanted()) {
+        quality.emplace().before = summarize_quality(data);
+        measuring = watch.lap();
+      }
       Mesh mesh(std::move(data));
-      const double check = watch.lap();
+      seconds.emplace_back("check", checking + watch.lap());
       line.stage("work");
       const PassReport report = pass(mesh);
-      const double work = watch.lap();
+      seconds.emplace_back("pass", watch.lap());
       line.stage("write");
       text.clear();
-      write_mesh(mesh.to_data(), text);
+      data = mesh.to_data();
+      write_mesh(data, text);
       output.write(text);
-      reports.add(frame, mesh.time, report, {{"read", read}, {"check", check}, {"pass", work}, {"write", watch.lap()}});
+      seconds.emplace_back("write", watch.lap());
+      if (quality) {
+        line.stage("measure");
+        quality->after = summarize_quality(data);
+        seconds.emplace_back("quality", measuring + watch.lap());
+      }
+      reports.add(frame, mesh.time, report, seconds, quality ? &*quality : nullptr);
     });
     output.commit();
     return status::done;

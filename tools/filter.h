@@ -13,6 +13,7 @@
 #include "pliant/boundary/fault.h"
 #include "pliant/mesh/mesh.h"
 #include "pliant/mesh/pass_report.h"
+#include "pliant/quality/quality_summary.h"
 
 namespace CLI {
 class App;
@@ -122,6 +123,11 @@ class Stopwatch {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
+/// The mesh that a pass was given, and the one that it left.
+struct QualityChange {
+  QualitySummary before, after;
+};
+
 /// Where --report goes (a JSON line a frame, complete at once) and what -v prints.
 class FrameReports {
  public:
@@ -129,9 +135,11 @@ class FrameReports {
   ~FrameReports();
   FrameReports(const FrameReports&) = delete;
   FrameReports& operator=(const FrameReports&) = delete;
-  /// `seconds` names the parts of the work: read, check, pass, write.
+  /// Does anybody want to know? If not, what goes into `quality` need not be measured.
+  bool is_wanted() const;
+  /// `seconds` names the parts of the work: read, check, pass, write, and quality where that was measured.
   void add(const Frame& frame, double time, const PassReport& report,
-           const std::vector<std::pair<std::string, double>>& seconds);
+           const std::vector<std::pair<std::string, double>>& seconds, const QualityChange* quality = nullptr);
 
  private:
   struct State;

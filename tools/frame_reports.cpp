@@ -1,4 +1,5 @@
 // tools/frame_reports.cpp: --report and -v
+#include <algorithm>
 #include <cerrno>
 #include <cmath>
 #include <optional>
@@ -17,14 +18,16 @@ double Stopwatch::lap() {
   return passed.count();
 }
 
+using Seconds = std::vector<std::pair<std::string, double>>;
+
 struct FrameReports::State {
   const ToolOptions& options;
   std::FILE* file = nullptr;
 
-  void write_line(const Frame& frame, double time, const PassReport& report,
-                  const std::vector<std::pair<std::string, double>>& seconds) const;
-  void print(const Frame& frame, double time, const PassReport& report,
-             const std::vector<std::pair<std::string, double>>& seconds) const;
+  void write_line(const Frame& frame, double time, const PassReport& report, const Seconds& seconds,
+                  const QualityChange* quality) const;
+  void print(const Frame& frame, double time, const PassReport& report, const Seconds& seconds,
+             const QualityChange* quality) const;
 };
 
 namespace {
@@ -37,6 +40,12 @@ void append_value(std::string& out, double value) {
     append_integer(out, static_cast<std::int64_t>(value));
   else
     append_number(out, value);
+}
+
+std::string number(double value) {
+  std::string text;
+  append_value(text, value);
+  return text;
 }
 
 std::string text_of(const char* format, double value) {
@@ -59,17 +68,59 @@ std::string some_places(const PassReport& report, const std::string& reason, lon
   return text + (count > 0 && times > count ? ", ..." : "");
 }
 
+void write_summary(JsonWriter& out, const QualitySummary& summary) {
+  out.begin_object().name("triangles").value(summary.triangles);
+  out.name("invalid").value(summary.invalid).name("degenerate").value(summary.degenerate);
+  out.name("min_logical_angle").raw(number(summary.min_logical_angle));
+  out.name("min_scaled_jacobian").raw(number(summary.min_scaled_jacobian));
+  out.name("min_shape").raw(number(summary.min_shape)).name("max_distortion").raw(number(summary.max_distortion));
+  out.name("fields").begin_array();
+  for (const ComponentSize& size : summary.fields) {
+    out.begin_object().name("name").value(size.field).name("component").value(size.component);
+    out.name("largest").raw(number(size.largest)).name("l2").raw(number(size.l2)).end_object();
+  }
+  out.end_array().end_object();
+}
+
+void write_change(JsonWriter& out, const QualityChange& quality) {
+  out.name("before");
+  write_summary(out, quality.before);
+  out.name("after");
+  write_summary(out, quality.after);
+  out.name("growth").begin_array();
+  for (const ComponentGrowth& growth : field_growth(quality.before, quality.after)) {
+    out.begin_object().name("name").value(growth.field).name("component").value(growth.component);
+    out.name("largest").raw(number(growth.largest)).name("l2").raw(number(growth.l2)).end_object();
+  }
+  out.end_array();
+}
+
+std::string in_words(const QualitySummary& summary) {
+  return std::to_string(summary.triangles) + " triangles, " + std::to_string(summary.invalid + summary.degenerate) +
+         " not valid, least logical angle " + text_of("%.4g", summary.min_logical_angle) + ", scaled Jacobian " +
+         text_of("%.4g", summary.min_scaled_jacobian) + ", shape " + text_of("%.4g", summary.min_shape) +
+         ", largest distortion " + text_of("%.4g", summary.max_distortion);
+}
+
+/// The components that have grown most; nothing if no field came through.
+std::string growth_in_words(const QualityChange& quality) {
+  const std::vector<ComponentGrowth> all = field_growth(quality.before, quality.after);
+  if (all.empty()) return {};
+  const auto most = [&all](double ComponentGrowth::*member) {
+    const auto grown = std::ranges::max_element(all, {}, member);
+    return text_of("%.8g", *grown.*member) + " (" + grown->field + ", component " + std::to_string(grown->component) +
+           ")";
+  };
+  return "fields grew at most by: largest |u| " + most(&ComponentGrowth::largest) + ", L2 norm " +
+         most(&ComponentGrowth::l2);
+}
+
 }  // namespace
 
-void FrameReports::State::write_line(const Frame& frame, double time, const PassReport& report,
-                                     const std::vector<std::pair<std::string, double>>& seconds) const {
+void FrameReports::State::write_line(const Frame& frame, double time, const PassReport& report, const Seconds& seconds,
+                                     const QualityChange* quality) const {
   std::string line;
   JsonWriter out(line);
-  const auto number = [](double value) {
-    std::string text;
-    append_value(text, value);
-    return text;
-  };
   out.begin_object().name("tool").value(options.tool).name("frame").value(static_cast<std::int64_t>(frame.index));
   out.name("time").raw(number(time)).name("values").begin_object();
   for (const auto& [name, value] : report.values) out.name(name).raw(number(value));
@@ -82,7 +133,9 @@ void FrameReports::State::write_line(const Frame& frame, double time, const Pass
   }
   out.end_array().name("notes").begin_array();
   for (const std::string& note : report.notes) out.value(note);
-  out.end_array().name("seconds").begin_object();
+  out.end_array();
+  if (quality != nullptr) write_change(out, *quality);
+  out.name("seconds").begin_object();
   for (const auto& [name, value] : seconds) out.name(name).raw(text_of("%.6f", value));
   out.end_object().end_object();
   line += '\n';
@@ -90,8 +143,8 @@ void FrameReports::State::write_line(const Frame& frame, double time, const Pass
     throw std::system_error(errno, std::generic_category(), options.report);
 }
 
-void FrameReports::State::print(const Frame& frame, double time, const PassReport& report,
-                                const std::vector<std::pair<std::string, double>>& seconds) const {
+void FrameReports::State::print(const Frame& frame, double time, const PassReport& report, const Seconds& seconds,
+                                const QualityChange* quality) const {
   std::string line = "frame " + std::to_string(frame.index) + ", time " + text_of("%.12g", time) + ": ";
   const char* comma = "";
   for (const auto& [name, value] : report.values) {
@@ -105,6 +158,11 @@ void FrameReports::State::print(const Frame& frame, double time, const PassRepor
   for (const auto& [reason, times] : report.refusals)
     say(options, "  refused " + std::to_string(times) + " times: " + reason + some_places(report, reason, times));
   for (const std::string& note : report.notes) say(options, "  " + note);
+  if (quality == nullptr) return;
+  say(options, "  before: " + in_words(quality->before));
+  say(options, "  after: " + in_words(quality->after));
+  const std::string growth = growth_in_words(*quality);
+  if (!growth.empty()) say(options, "  " + growth);
 }
 
 FrameReports::FrameReports(const ToolOptions& options) : state_(new State{options}) {
@@ -118,10 +176,12 @@ FrameReports::~FrameReports() {
   if (state_->file != nullptr) std::fclose(state_->file);
 }
 
-void FrameReports::add(const Frame& frame, double time, const PassReport& report,
-                       const std::vector<std::pair<std::string, double>>& seconds) {
-  if (state_->file != nullptr) state_->write_line(frame, time, report, seconds);
-  if (state_->options.verbose) state_->print(frame, time, report, seconds);
+bool FrameReports::is_wanted() const { return state_->file != nullptr || state_->options.verbose; }
+
+void FrameReports::add(const Frame& frame, double time, const PassReport& report, const Seconds& seconds,
+                       const QualityChange* quality) {
+  if (state_->file != nullptr) state_->write_line(frame, time, report, seconds, quality);
+  if (state_->options.verbose) state_->print(frame, time, report, seconds, quality);
   if (ProgressLine* line = ProgressLine::shown()) line->frames_done(frame.index + 1);
 }
 

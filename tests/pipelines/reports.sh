@@ -13,7 +13,8 @@ lines = [json.loads(line) for line in open("report.jsonl")]
 assert len(lines) == 4
 for number, line in enumerate(lines):
     assert line["tool"] == sys.argv[1] and line["frame"] == number
-    assert set(line) == {"tool", "frame", "time", "values", "refusals", "refused_at", "notes", "seconds"}
+    assert set(line) == {"tool", "frame", "time", "values", "refusals", "refused_at", "notes", "before", "after",
+                         "growth", "seconds"}
     assert all(isinstance(value, (int, float)) for value in line["values"].values())
     assert all(isinstance(value, int) and value > 0 for value in line["refusals"].values())
     for refused in line["refused_at"]:
@@ -21,7 +22,7 @@ for number, line in enumerate(lines):
     for reason, times in line["refusals"].items():
         places = sum(refused["reason"] == reason for refused in line["refused_at"])
         assert places <= 1000 and places in (0, times, 1000)
-    assert set(line["seconds"]) == {"read", "check", "pass", "write"}
+    assert set(line["seconds"]) == {"read", "check", "pass", "write", "quality"}
 PYTHON
   run 0 filter "$tool" -v series.jsonl
   same out plain.jsonl
@@ -32,6 +33,38 @@ says 'passthrough: frame 0, time 0: triangles 24, half 0.5, '
 says '  refused 3 times: would "invert"'
 says '  refused 1200 times: too far, at (0.5, -2), (1.5, -2), (2.5, -2), ...'
 says '  nothing was done'
+says '  before: 24 triangles, 0 not valid, least logical angle '
+says '  after: 24 triangles, 0 not valid, least logical angle '
+says '  fields grew at most by: largest |u| 1 ('
+
+# Before and after are what qualityreport says of input and output, and growth is their ratio.
+if has_tool qualityreport; then
+  sample_mesh three 3 >>series.jsonl
+  for tool in "${mesh_filters[@]}"; do
+    filter "$tool" series.jsonl --report report.jsonl >out.jsonl
+    qualityreport --format json series.jsonl >before.jsonl
+    qualityreport --format json out.jsonl >after.jsonl
+    python3 - <<'PYTHON' || fail "$tool: before and after are not what qualityreport says"
+import json
+lines = {name: [json.loads(line) for line in open(name + ".jsonl")] for name in ("report", "before", "after")}
+assert len(lines["report"]) == len(lines["after"]) == 5
+for number, report in enumerate(lines["report"]):
+    for when in "before", "after":
+        said, measured = report[when], lines[when][number]
+        metrics = measured["metrics"] if "metrics" in measured else measured
+        for name in "triangles", "invalid", "degenerate":
+            assert said[name] == measured[name], name
+        for name in "logical_angle", "scaled_jacobian", "shape":
+            assert said["min_" + name] == metrics[name]["min"], name
+        assert said["max_distortion"] == metrics["distortion"]["max"]
+        largest = [max(-low, high) for field in measured["fields"] for low, high in zip(field["min"], field["max"])]
+        assert [field["largest"] for field in said["fields"]] == largest and largest
+    for growth, was, now in zip(report["growth"], report["before"]["fields"], report["after"]["fields"]):
+        assert growth["name"] == was["name"] == now["name"] and growth["component"] == was["component"]
+        assert growth["largest"] == now["largest"] / was["largest"] and growth["l2"] == now["l2"] / was["l2"]
+PYTHON
+  done
+fi
 
 # Frames that were done before a failure are reported.
 run 4 passthrough --stop-at 2 series.jsonl --report report.jsonl
