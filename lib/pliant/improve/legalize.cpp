@@ -74,10 +74,15 @@ EdgeState edge_state(const Mesh& mesh, HalfEdgeId h) {
   if (g == none || mesh.is_constrained(h)) return EdgeState::delaunay;
   const Point &a = mesh.point(mesh.origin(h)), &b = mesh.point(mesh.target(h)), &c = mesh.point(mesh.apex(h)),
               &d = mesh.point(mesh.apex(g));
-  const int above = orient2d(a, b, c), below = orient2d(b, a, d);
+  return edge_state(mesh, h, orient2d(a, b, c) > 0, orient2d(b, a, d) > 0);
+}
+
+EdgeState edge_state(const Mesh& mesh, HalfEdgeId h, bool is_own_positive, bool is_other_positive) {
+  const Point &a = mesh.point(mesh.origin(h)), &b = mesh.point(mesh.target(h)), &c = mesh.point(mesh.apex(h)),
+              &d = mesh.point(mesh.apex(mesh.twin(h)));
   const auto flips_to_positive = [&] { return orient2d(a, d, c) > 0 && orient2d(d, b, c) > 0; };
-  if (above <= 0 || below <= 0)
-    return (above > 0 || below > 0) && flips_to_positive() ? EdgeState::turned_over : EdgeState::inverted;
+  if (!is_own_positive || !is_other_positive)
+    return (is_own_positive || is_other_positive) && flips_to_positive() ? EdgeState::turned_over : EdgeState::inverted;
   if (in_circle(a, b, c, d) <= 0) return EdgeState::delaunay;
   // A point inside the circle beyond ab sees the quadrilateral convex; the exact test guards the flat cases.
   return flips_to_positive() ? EdgeState::not_delaunay : EdgeState::inverted;
@@ -98,12 +103,19 @@ void legalize(Mesh& mesh, std::vector<HalfEdgeId>& stack, const RefitOptions& re
     const HalfEdgeId h = stack.back();
     stack.pop_back();
     if (!mesh.is_alive(triangle_of(h)) || !wants_flip(edge_state(mesh, h))) continue;
-    if (max_flips >= 0 && counts.flips >= max_flips) continue;
+    const auto list = [&](Refusal reason) {
+      if (counts.lists_edges) counts.refused_edges.push_back({mesh.origin(h), mesh.target(h), reason});
+    };
+    if (max_flips >= 0 && counts.flips >= max_flips) {
+      list(Refusal::done);
+      continue;
+    }
     Refusal refusal = straightens ? flip_straight(mesh, h, refit) : flip_edge(mesh, h, refit);
     if (straightens && refusal != Refusal::done && straighten_around(mesh, h, refit))
       refusal = flip_straight(mesh, h, refit);
     if (refusal != Refusal::done) {
       counts.refuse(refusal);
+      list(refusal);
       continue;
     }
     ++counts.flips;

@@ -17,15 +17,25 @@ constexpr bool wants_flip(EdgeState state) {
 }
 /// The state of an edge in the logical mesh, by exact predicates.
 EdgeState edge_state(const Mesh& mesh, HalfEdgeId h);
+/// The same of an edge with two triangles that is on no curve, where the orientation of both is known: whether the
+/// logical triangle of h, and that of its twin, is positive.
+EdgeState edge_state(const Mesh& mesh, HalfEdgeId h, bool is_own_positive, bool is_other_positive);
 
 /// Makes the bent ones of these inner edges straight, where the elements stay valid; one that its neighbours' bends
 /// keep from it is tried again after them. Empties the list; true if it changed any. Bent: a control point is off its
 /// straight place by more than a tenth of the edge's length, or three tenths of a height over it.
 bool straighten_bent(Mesh& mesh, std::vector<HalfEdgeId>& edges, const RefitOptions& refit);
 
+/// An edge that wanted its flip, named by its vertices: half-edges are others after the next flip.
+struct RefusedEdge {
+  PointId origin, target;
+  Refusal reason;  ///< done: not tried, since as many edges were flipped as asked
+};
 struct LegalizeCounts {
   long flips = 0;
   std::vector<std::pair<Refusal, long>> refusals;
+  bool lists_edges = false;
+  std::vector<RefusedEdge> refused_edges;  ///< if they are listed; what happened to one last is last
   void refuse(Refusal reason);
 };
 /// Flips the edges on the stack, and what their flips disturb, until all are locally Delaunay or refused. Empties the
