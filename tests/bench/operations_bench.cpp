@@ -2,6 +2,7 @@
 #include <benchmark/benchmark.h>
 
 #include <cmath>
+#include <map>
 #include <vector>
 
 #include "pliant/generate/mesh_from_boundary.h"
@@ -188,12 +189,27 @@ void certify_elements(benchmark::State& state) {
   per_item(state, valid);
 }
 
-/// About 100,000 triangles that are Delaunay already.
-void delaunay_nothing_to_flip(benchmark::State& state) {
-  Mesh mesh = refined_cell(4.1e-5);
-  enforce_delaunay(mesh);
-  for (auto _ : state) benchmark::DoNotOptimize(enforce_delaunay(mesh));
+/// About this many triangles that are Delaunay already.
+const Mesh& delaunay_cell(std::int64_t triangles) {
+  static std::map<std::int64_t, Mesh> made;
+  const auto [at, is_new] = made.try_emplace(triangles);
+  if (is_new) {
+    at->second = refined_cell(4.1 / static_cast<double>(triangles));
+    enforce_delaunay(at->second);
+  }
+  return at->second;
+}
+
+void per_triangle(benchmark::State& state, const Mesh& mesh) {
   state.counters["triangles"] = mesh.triangle_count();
+  state.counters["each"] = benchmark::Counter(static_cast<double>(state.iterations()) * mesh.triangle_count(),
+                                              benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+}
+
+void delaunay_nothing_to_flip(benchmark::State& state) {
+  Mesh mesh = delaunay_cell(state.range(0));
+  for (auto _ : state) benchmark::DoNotOptimize(enforce_delaunay(mesh));
+  per_triangle(state, mesh);
 }
 
 /// From the first mesh of a cell to about 100,000 triangles; with 0 or 2 components carried along.
@@ -223,7 +239,7 @@ BENCHMARK(remove_inserted)->Unit(benchmark::kMillisecond);
 BENCHMARK(remove_any)->Unit(benchmark::kMillisecond);
 BENCHMARK(locate_near)->Unit(benchmark::kMillisecond);
 BENCHMARK(certify_elements)->Unit(benchmark::kMillisecond);
-BENCHMARK(delaunay_nothing_to_flip)->Unit(benchmark::kMillisecond);
+BENCHMARK(delaunay_nothing_to_flip)->Arg(10000)->Arg(100000)->Arg(1000000)->Unit(benchmark::kMillisecond);
 BENCHMARK(refine_cell)->Arg(0)->Arg(2)->Unit(benchmark::kMillisecond);
 
 }  // namespace
