@@ -1,6 +1,7 @@
 #include "pliant/ops/flip_edge.h"
 
 #include <array>
+#include <utility>
 
 #include "pliant/geometry/predicates.h"
 #include "pliant/mesh/star.h"
@@ -20,8 +21,9 @@ bool turns_left(const Mesh& mesh, const EdgePoints& into, const EdgePoints& out)
 }  // namespace
 
 Refusal flip_edge(Mesh& mesh, HalfEdgeId h, const RefitOptions& options) {
-  const HalfEdgeId g = mesh.twin(h);
+  HalfEdgeId g = mesh.twin(h);
   if (g == none) return Refusal::outer_boundary;
+  if (g < h) std::swap(g, h);  // whether a search finds a place must not depend on the side that was asked
   if (mesh.is_constrained(h)) return Refusal::constrained;
   const TriangleId t = triangle_of(h), u = triangle_of(g);
   const PointId a = mesh.origin(h), b = mesh.target(h), c = mesh.apex(h), d = mesh.apex(g);

@@ -1,9 +1,11 @@
 // Exact integrals of a field over an element: linear in its control values.
+#include <algorithm>
 #include <array>
 #include <mutex>
 #include <vector>
 
 #include "pliant/geometry/jacobian.h"
+#include "pliant/mesh/star.h"
 #include "pliant/ops/refit.h"
 
 namespace pliant {
@@ -46,6 +48,32 @@ void integral_weights(int degree, std::span<const Point> net, std::span<double> 
     for (std::size_t m = 0; m < d; ++m) sum += *entry++ * jacobian[m];
     weights[k] = sum;
   }
+}
+
+double weight_in_mesh(const Mesh& mesh, PointId p, TriangleId inside, int local, bool by_face) {
+  std::array<Point, net_size(max_degree)> net;
+  std::array<double, net_size(max_degree)> weights;
+  const std::span<const Point> points{net.data(), static_cast<std::size_t>(mesh.net_size())};
+  double sum = 0;
+  const auto add = [&](TriangleId t) {
+    if (by_face && mesh.face(t) != mesh.face(inside)) return;
+    mesh.gather_points(t, net);
+    integral_weights(mesh.degree(), points, weights);
+    const auto ids = mesh.net(t);
+    sum += weights[static_cast<std::size_t>(std::find(ids.begin(), ids.end(), p) - ids.begin())];
+  };
+  if (local < 3) {
+    thread_local Star star;
+    find_star(mesh, p, star);
+    for (const HalfEdgeId h : star.outgoing) add(triangle_of(h));
+  } else if (local >= mesh.layout().first_interior()) {
+    add(inside);
+  } else {
+    add(inside);
+    const HalfEdgeId twin = mesh.twin(half_edge(inside, (local - 3) / (mesh.degree() - 1)));
+    if (twin != none) add(triangle_of(twin));
+  }
+  return sum;
 }
 
 }  // namespace pliant

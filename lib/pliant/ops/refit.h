@@ -87,4 +87,8 @@ class Patch {
 /// ∫ B_k det J over the element for each control point k: the integral of a field is the sum of weight times value.
 void integral_weights(int degree, std::span<const Point> net, std::span<double> weights);
 
+/// The integral weight of one control point over all elements of the mesh that contain it (of one face if by face).
+/// `local`: its number in the net of the element `inside`.
+double weight_in_mesh(const Mesh& mesh, PointId p, TriangleId inside, int local, bool by_face);
+
 }  // namespace pliant

@@ -6,7 +6,6 @@
 #include "pliant/geometry/control_net.h"
 #include "pliant/geometry/invert_map.h"
 #include "pliant/geometry/jacobian.h"
-#include "pliant/mesh/star.h"
 #include "pliant/ops/node_basis.h"
 #include "pliant/ops/refit.h"
 #include "pliant/ops/solve_dense.h"
@@ -55,31 +54,6 @@ double spread(double missing, std::span<const double> weights, std::span<double>
     return 0;
   }
   return missing;
-}
-
-/// The integral weight of one control point over all elements of the mesh that contain it (of one face if by face).
-double weight_in_mesh(const Mesh& mesh, PointId p, TriangleId inside, int local, bool by_face) {
-  Net net;
-  Weights weights;
-  const std::span<const Point> points{net.data(), at(mesh.net_size())};
-  double sum = 0;
-  const auto add = [&](TriangleId t) {
-    if (by_face && mesh.face(t) != mesh.face(inside)) return;
-    mesh.gather_points(t, net);
-    integral_weights(mesh.degree(), points, weights);
-    const auto ids = mesh.net(t);
-    sum += weights[static_cast<std::size_t>(std::find(ids.begin(), ids.end(), p) - ids.begin())];
-  };
-  if (local < 3) {
-    thread_local Star star;
-    find_star(mesh, p, star);
-    for (const HalfEdgeId h : star.outgoing) add(triangle_of(h));
-  } else {
-    add(inside);
-    const HalfEdgeId twin = mesh.twin(half_edge(inside, (local - 3) / (mesh.degree() - 1)));
-    if (twin != none) add(triangle_of(twin));
-  }
-  return sum;
 }
 
 }  // namespace

@@ -4,168 +4,19 @@
 #include <cmath>
 
 #include "pliant/geometry/turning_angle.h"
-#include "pliant/mesh/star.h"
-#include "pliant/ops/merge.h"
+#include "pliant/ops/curve_passage.h"
 #include "pliant/ops/refit.h"
+#include "pliant/ops/region_integrals.h"
 #include "pliant/ops/remove_point.h"
+#include "pliant/ops/restore_area.h"
 
 namespace pliant {
 namespace {
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-/// The two edges of the one curve that passes through a vertex; half-edges of either side.
-struct Passage {
-  CurveId curve = none;
-  HalfEdgeId before = none, after = none;  // edge that ends at v, edge that starts there (in the curve's direction)
-};
-
-/// All half-edges at v that lie on curves, each edge once: outgoing, or incoming where only that exists.
-void constrained_at(const Mesh& mesh, const Star& star, std::vector<HalfEdgeId>& edges) {
-  edges.clear();
-  for (const HalfEdgeId h : star.outgoing)
-    if (mesh.is_constrained(h)) edges.push_back(h);
-  if (!star.is_closed && !star.outgoing.empty()) edges.push_back(previous(star.outgoing.back()));
-}
-
-Passage passage_at(const Mesh& mesh, PointId v, const Star& star) {
-  if (star.components != 1) return {};
-  thread_local std::vector<HalfEdgeId> edges;
-  constrained_at(mesh, star, edges);
-  if (edges.size() != 2) return {};
-  Passage passage;
-  for (const HalfEdgeId h : edges) {
-    if (!mesh.is_constrained(h)) return {};
-    const ConstraintId c = mesh.constraint(h);
-    if (passage.curve != none && passage.curve != mesh.constraint_curve(c)) return {};
-    passage.curve = mesh.constraint_curve(c);
-    (mesh.constraint_first(c) == v ? passage.after : passage.before) = h;
-  }
-  if (passage.before == none || passage.after == none) return {};
-  return passage;
-}
-
-/// A half-edge of the edge that follows (or precedes) along the same curve, or none at the curve's end.
-HalfEdgeId step_along(const Mesh& mesh, HalfEdgeId h, bool forward) {
-  const ConstraintId c = mesh.constraint(h);
-  const PointId first = mesh.constraint_first(c);
-  const PointId last = mesh.origin(h) == first ? mesh.target(h) : mesh.origin(h);
-  const PointId v = forward ? last : first;
-  Star star;
-  find_star(mesh, v, star);
-  std::vector<HalfEdgeId> edges;
-  constrained_at(mesh, star, edges);
-  for (const HalfEdgeId g : edges) {
-    const ConstraintId other = mesh.constraint(g);
-    if (other == none || other == c || mesh.constraint_curve(other) != mesh.constraint_curve(c)) continue;
-    if ((mesh.constraint_first(other) == v) == forward) return g;
-  }
-  return none;
-}
-
-/// Everything that knot removal moves, and by how much.
-struct Footprint {
-  std::vector<ConstraintId> edges;     // but the two that merge
-  std::vector<HalfEdgeId> half_edges;  // one of each
-  std::vector<PointId> moved;          // vertices
-  std::vector<Vector> shifts;
-  std::vector<TriangleId> triangles;  // that contain a moved point
-
-  Vector shift_of(PointId p) const {
-    for (std::size_t k = 0; k < moved.size(); ++k)
-      if (moved[k] == p) return shifts[k];
-    return {};
-  }
-};
-
 void add_once(std::vector<TriangleId>& list, TriangleId t) {
   if (std::find(list.begin(), list.end(), t) == list.end()) list.push_back(t);
-}
-
-void find_footprint(const Mesh& mesh, const Passage& passage, Footprint& footprint) {
-  footprint = {};
-  std::vector<ConstraintId> seen{mesh.constraint(passage.before), mesh.constraint(passage.after)};
-  for (const bool forward : {false, true}) {
-    HalfEdgeId h = forward ? passage.after : passage.before;
-    for (int k = 1; k <= mesh.degree(); ++k) {
-      h = step_along(mesh, h, forward);
-      if (h == none || std::find(seen.begin(), seen.end(), mesh.constraint(h)) != seen.end()) break;
-      seen.push_back(mesh.constraint(h));
-      footprint.edges.push_back(mesh.constraint(h));
-      footprint.half_edges.push_back(h);
-    }
-  }
-}
-
-/// Moves the control points around a removed break so that the area swept by the curve is the old one's; the bound of
-/// the distance between the two curves then.
-double restore_area(const BSpline& old, BSpline& spline, double knot) {
-  // The points whose inner knots straddle the removed one (p = 1: whose support does): none of them reaches beyond the
-  // footprint. An open curve's ends stay.
-  const int count = static_cast<int>(spline.points().size()), p = spline.degree(), inset = p > 1 ? 1 : 0;
-  std::vector<int> near;
-  for (int i = spline.closed() ? 0 : 1; i < (spline.closed() ? count : count - 1); ++i)
-    for (const double turn : {0.0, spline.closed() ? spline.period() : 0.0}) {
-      const double t = knot + turn;
-      if (spline.knot(i + inset) < t && t < spline.knot(i + p + 1 - inset)) {
-        near.push_back(i);
-        break;
-      }
-    }
-  // The area is quadratic in the points, so central differences are its gradient.
-  const auto area_with = [&](int k, const Point& place) {
-    const Point kept = spline.points()[at(k)];
-    spline.set_point(k, place);
-    const double area = spline.area();
-    spline.set_point(k, kept);
-    return area;
-  };
-  double squares = 0;
-  std::vector<Vector> gradient;
-  for (const int k : near) {
-    const Point p0 = spline.points()[at(k)];
-    gradient.push_back({(area_with(k, p0 + Vector{1, 0}) - area_with(k, p0 - Vector{1, 0})) / 2,
-                        (area_with(k, p0 + Vector{0, 1}) - area_with(k, p0 - Vector{0, 1})) / 2});
-    squares += squared_length(gradient.back());
-  }
-  const double wanted = old.area();
-  double last = HUGE_VAL;
-  for (int step = 0; step < 60 && squares > 0; ++step) {  // each leaves a small share of the rest, then only rounding
-    const double missing = wanted - spline.area();
-    if (!(std::abs(missing) < last)) break;
-    last = std::abs(missing);
-    for (std::size_t k = 0; k < near.size(); ++k)
-      spline.set_point(near[k], spline.points()[at(near[k])] + (missing / squares) * gradient[k]);
-  }
-  Box box;
-  for (const Point& point : old.points()) box.extend(point);
-  if (last > 1e-13 * box.size() * box.size()) return HUGE_VAL;  // too much is missing for small steps
-  BSpline again = spline;
-  const double place = knot < again.first_parameter() ? knot + again.period() : knot;  // the first break is gone
-  for (int m = old.multiplicity(knot); m > 0; --m) again.insert_knot(place);
-  // A closed curve that loses its first break starts at the next one: its points are then one place further.
-  std::size_t shift = 0;
-  while (old.closed() && shift + 1 < old.points().size() && old.knot(static_cast<int>(shift)) < again.knot(0)) ++shift;
-  double error = 0;
-  for (std::size_t k = 0; k < old.points().size(); ++k)
-    error = std::max(error, distance(old.points()[(k + shift) % old.points().size()], again.points()[k]));
-  return error;
-}
-
-/// The fan of v on one side: link vertices counter-clockwise from one curve neighbour to the other.
-void find_fan(const Mesh& mesh, const Star& star, HalfEdgeId first, Fan& fan) {
-  fan.clear();
-  const auto count = star.outgoing.size();
-  const auto start =
-      static_cast<std::size_t>(std::find(star.outgoing.begin(), star.outgoing.end(), first) - star.outgoing.begin());
-  for (std::size_t k = 0; k < count; ++k) {
-    const HalfEdgeId h = star.outgoing[(start + k) % count];
-    fan.push_back(mesh.target(h));
-    if (mesh.is_constrained(previous(h))) {
-      fan.push_back(mesh.origin(previous(h)));
-      return;
-    }
-  }
 }
 
 }  // namespace
@@ -174,26 +25,27 @@ CurveRemoval remove_curve_vertex(Mesh& mesh, PointId v, const CurveTolerance& to
   Star star;
   find_star(mesh, v, star);
   const Passage passage = passage_at(mesh, v, star);
-  if (passage.curve == none) return {Refusal::corner, 0};  // or pinched, or on no curve
+  if (passage.curve == none) return {Refusal::corner};  // or pinched, or on no curve
   const Curve& curve = mesh.boundary().curves[at(passage.curve)];
   const ConstraintId kept = mesh.constraint(passage.before), dropped = mesh.constraint(passage.after);
   const double knot = mesh.constraint_start(dropped), start = mesh.constraint_start(kept);
   if (curve.spline.closed() ? curve.spline.span_count() <= 3 : knot <= curve.spline.first_parameter())
-    return {Refusal::not_removable, 0};
+    return {Refusal::not_removable};
   BSpline spline = curve.spline;
   std::optional<double> error = spline.remove_break(knot);
-  if (!error) return {Refusal::not_removable, 0};
+  if (!error) return {Refusal::not_removable};
+  const auto refused = [&error](Refusal refusal) { return CurveRemoval{refusal, *error}; };
   const auto is_tolerable = [&] { return curve.removal_error + *error <= tolerance.total && *error <= tolerance.step; };
   if (is_tolerable() && tolerance.keep_area) error = restore_area(curve.spline, spline, knot);
-  if (!is_tolerable()) return {Refusal::exceeds_tolerance, *error};
+  if (!is_tolerable()) return refused(Refusal::exceeds_tolerance);
   std::array<Point, max_degree + 1> merged_polygon;
   const std::span<Point> long_span{merged_polygon.data(), at(mesh.degree() + 1)};
   spline.extract(start, long_span);
-  if (turning_angle(long_span) > tolerance.max_turning) return {Refusal::too_curved, *error};
+  if (turning_angle(long_span) > tolerance.max_turning) return refused(Refusal::too_curved);
   const PointId from = mesh.constraint_first(kept);
   const PointId to = mesh.origin(passage.after) == v ? mesh.target(passage.after) : mesh.origin(passage.after);
   if (find_half_edge(mesh, from, to) != none || find_half_edge(mesh, to, from) != none)
-    return {Refusal::edge_exists, *error};
+    return refused(Refusal::edge_exists);
 
   Transaction transaction(mesh);
   // Ears first, so that each side has two triangles. A fan starts at the outgoing half-edge that has the curve on its
@@ -205,7 +57,7 @@ CurveRemoval remove_curve_vertex(Mesh& mesh, PointId v, const CurveTolerance& to
       find_fan(mesh, star, h, fans.back());
     }
   for (Fan& fan : fans)
-    if (!reduce_fan(mesh, v, fan, false, 2, options)) return {Refusal::not_removable, *error};
+    if (!reduce_fan(mesh, v, fan, false, 2, options)) return refused(Refusal::not_removable);
 
   const int p = mesh.degree(), width = mesh.width();
   thread_local Footprint footprint;
@@ -247,7 +99,7 @@ CurveRemoval remove_curve_vertex(Mesh& mesh, PointId v, const CurveTolerance& to
     find_star(mesh, footprint.moved[k], other);
     // Where something else holds on to the vertex it cannot move.
     if (footprint.shifts[k] != Vector{} && passage_at(mesh, footprint.moved[k], other).curve == none)
-      return {Refusal::corner, *error};
+      return refused(Refusal::corner);
     for (const HalfEdgeId h : other.outgoing) add_once(before, triangle_of(h));
   }
   for (const HalfEdgeId h : footprint.half_edges)
@@ -259,6 +111,8 @@ CurveRemoval remove_curve_vertex(Mesh& mesh, PointId v, const CurveTolerance& to
   const bool region_kept = *error <= subdivision_tolerance * mesh.size();
   thread_local Patch merging;
   if (region_kept) merging.capture(mesh, {before.data(), star.outgoing.size()});
+  thread_local RegionIntegrals integrals_before, integrals;
+  if (!region_kept) integrals_before.take(mesh, before);
 
   // Where the elements are a subdivision, its parents' rows come back, with the curve's own control points. Each side
   // finds the long edge for itself: fields by face differ there, and what is shared comes out the same.
@@ -335,9 +189,9 @@ CurveRemoval remove_curve_vertex(Mesh& mesh, PointId v, const CurveTolerance& to
       for (int i = mesh.layout().first_interior(); i < mesh.net_size(); ++i)
         mesh.set_point(mesh.net(merged_triangles[k])[at(i)], parents[k].point(i));
   } else if (!patch.fit_geometry(mesh, merged_triangles, inner)) {
-    return {Refusal::would_invert, *error};
+    return refused(Refusal::would_invert);
   }
-  if (!all_valid(mesh, after)) return {Refusal::would_invert, *error};
+  if (!all_valid(mesh, after)) return refused(Refusal::would_invert);
 
   // Fields: linear functions follow the moved points; the merged elements are restored or fitted.
   if (width > 2) {
@@ -375,8 +229,17 @@ CurveRemoval remove_curve_vertex(Mesh& mesh, PointId v, const CurveTolerance& to
       (region_kept ? merging : patch).fit_fields(mesh, merged_triangles, free, options, region_kept);
     }
   }
+  CurveRemoval removal{Refusal::done, *error};
+  if (!region_kept && width > 2) {
+    integrals.take(mesh, after);
+    if (options.region_change == RegionChange::conserve) {
+      integrals_before.restore(mesh, after, integrals);
+    } else {
+      removal.integral_change = integrals_before.change_to(integrals);
+    }
+  }
   transaction.commit();
-  return {Refusal::done, *error};
+  return removal;
 }
 
 }  // namespace pliant

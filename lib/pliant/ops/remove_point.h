@@ -17,6 +17,9 @@ Refusal remove_inner_vertex(Mesh& mesh, PointId v, const RefitOptions& options =
 struct CurveRemoval {
   Refusal refusal = Refusal::done;
   double error = 0;  ///< bound of the distance between old and new curve
+  /// Largest change of a component's integral over the footprint, relative to that of the absolute control values; 0
+  /// to rounding where the curve stays where it is, or options.region_change is `conserve`.
+  double integral_change = 0;
 };
 /// Bounds of what removing a knot may do to its curve.
 struct CurveTolerance {
