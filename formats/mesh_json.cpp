@@ -75,6 +75,8 @@ Criteria read_criteria(JsonReader& in) {
       });
     } else if (name == "size") {
       criteria.size = in.string();
+    } else if (name == "size_field") {
+      criteria.size_field = in.string();
     } else if (name == "max_turning") {
       criteria.max_turning = read_positive(in);
     } else if (name == "min_size") {
@@ -149,6 +151,7 @@ void write_criteria(JsonWriter& out, const Criteria& criteria) {
     out.end_object();
   }
   if (criteria.size) out.name("size").value(*criteria.size);
+  if (criteria.size_field) out.name("size_field").value(*criteria.size_field);
   if (criteria.max_turning) out.name("max_turning").value(*criteria.max_turning);
   if (criteria.min_size) out.name("min_size").value(*criteria.min_size);
   out.members(criteria.extra);

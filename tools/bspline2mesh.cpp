@@ -84,7 +84,7 @@ int main(int argc, char** argv) {
       ->type_name("N");
   app.add_flag("--resolve", resolves,
                "let curves cross, touch and overlap: cut them there; later faces lie over earlier ones");
-  criteria.add(app);
+  criteria.add(app, false);
   app.add_flag("--no-refine", no_refine, "keep the first valid mesh, whatever the criteria");
   fields.add(app);
   app.add_option("--time", time_text, "time of the mesh")->type_name("T")->capture_default_str();

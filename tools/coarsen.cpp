@@ -16,7 +16,7 @@ int main(int argc, char** argv) {
   CLI::App app{"Remove vertices that neither size nor geometry needs.", "coarsen"};
   CriteriaOptions criteria;
   CoarsenOptions options;
-  std::string tolerance, step_tolerance, polygon_tolerance, factor = "1";
+  std::string tolerance, step_tolerance, polygon_tolerance, factor = "1", feature_share;
   criteria.add(app);
   app.add_option("--tolerance", tolerance,
                  "bound of what knot removals change of a curve in all, as the document keeps account of it; default: "
@@ -30,6 +30,9 @@ int main(int argc, char** argv) {
   app.add_option("--factor", factor, "scale the distance at which vertices are kept")
       ->type_name("F")
       ->capture_default_str();
+  app.add_option("--feature-size", feature_share,
+                 "wanted edges no longer than this part of the local feature size of the curves; default: not asked")
+      ->type_name("F");
   app.add_flag("--keep-area", options.keep_area, "removals keep the area inside their curve");
   add_projection_option(app, options.refit);
   FilterOptions filter;
@@ -38,6 +41,7 @@ int main(int argc, char** argv) {
     options.factor = parse_positive("--factor", factor);
     if (!polygon_tolerance.empty())
       options.polygon_tolerance = parse_positive("--polygon-tolerance", polygon_tolerance);
+    if (!feature_share.empty()) options.feature_share = parse_positive("--feature-size", feature_share);
     if (!tolerance.empty()) options.tolerance = parse_positive("--tolerance", tolerance);
     if (!step_tolerance.empty()) options.step_tolerance = parse_positive("--step-tolerance", step_tolerance);
   };

@@ -38,7 +38,7 @@ std::pair<std::string, double> parse_named_number(const std::string& option, con
   return {text.substr(0, equals), parse_positive(option, text.substr(equals + 1))};
 }
 
-void CriteriaOptions::add(CLI::App& app) {
+void CriteriaOptions::add(CLI::App& app, bool fields) {
   app.add_option("--min-angle", min_angle_text_, "least angle of a logical triangle, degrees; 0: any")
       ->type_name("DEG");
   app.add_option("--max-area", max_area_text_, "greatest area of an element")->type_name("AREA");
@@ -46,6 +46,8 @@ void CriteriaOptions::add(CLI::App& app) {
       ->type_name("NAME=AREA")
       ->allow_extra_args(false);
   app.add_option("--size", size_text_, "wanted edge length, an expression in x, y, t")->type_name("EXPR");
+  if (fields)
+    app.add_option("--size-field", size_field_, "wanted edge length, too: the values of this field")->type_name("NAME");
   app.add_option("--max-turning", max_turning_text_, "greatest angle by which an edge turns, degrees")
       ->type_name("DEG");
   app.add_option("--min-size", min_size_text_, "no two vertices closer than this")->type_name("LENGTH");
@@ -67,6 +69,7 @@ void CriteriaOptions::check() {
     given_.face_area.push_back(std::move(bound));
   }
   if (size_text_) given_.size = *size_text_;
+  if (size_field_) given_.size_field = *size_field_;
   if (max_turning_text_) given_.max_turning = parse_positive("--max-turning", *max_turning_text_);
   if (min_size_text_) given_.min_size = parse_positive("--min-size", *min_size_text_);
 }
@@ -85,6 +88,7 @@ void CriteriaOptions::apply(Criteria& criteria, const BoundaryComplex& boundary)
       old->second = bound.second;
   }
   if (given_.size) criteria.size = given_.size;
+  if (given_.size_field) criteria.size_field = given_.size_field;
   if (given_.max_turning) criteria.max_turning = given_.max_turning;
   if (given_.min_size) criteria.min_size = given_.min_size;
 }
@@ -100,7 +104,12 @@ QualityGoals CriteriaOptions::goals(Mesh& mesh, const std::function<SizeFunction
       throw InputError("/criteria/size", e.what());
     }
   }
-  return goals_of(mesh, std::move(size));
+  try {
+    return goals_of(mesh, std::move(size));
+  } catch (const std::invalid_argument& e) {
+    if (given_.size_field) throw UsageError(std::string("--size-field: ") + e.what());
+    throw InputError("/criteria/size_field", e.what());
+  }
 }
 
 }  // namespace pliant

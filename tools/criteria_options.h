@@ -29,8 +29,9 @@ SizeFunction compile_size(const std::string& text);
 class CriteriaOptions {
  public:
   /// Adds --min-angle DEG, --max-area AREA, --face-area NAME=AREA (repeatable), --size EXPR, --max-turning DEG and
-  /// --min-size LENGTH. Values are checked in `check`, so that wrong ones are wrong usage.
-  void add(CLI::App& app);
+  /// --min-size LENGTH; with `fields`, for tools that read meshes, --size-field NAME. Values are checked in `check`, so
+  /// that wrong ones are wrong usage.
+  void add(CLI::App& app, bool fields = true);
   /// Reads the texts of the options; call it before any input is read (FilterOptions::prepare).   Throws UsageError
   void check();
   /// Writes what was given into the criteria of a document.
@@ -42,7 +43,8 @@ class CriteriaOptions {
   QualityGoals goals(Mesh& mesh, const std::function<SizeFunction(const std::string&)>& compile) const;
 
  private:
-  std::optional<std::string> min_angle_text_, max_area_text_, max_turning_text_, min_size_text_, size_text_;
+  std::optional<std::string> min_angle_text_, max_area_text_, max_turning_text_, min_size_text_, size_text_,
+      size_field_;
   std::vector<std::string> face_area_texts_;
   Criteria given_;
 };

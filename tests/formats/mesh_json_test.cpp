@@ -45,6 +45,7 @@ MeshData rich_mesh(int degree) {
   data.criteria.max_area = 0.1;
   data.criteria.face_area = {{"upper", 0.05}, {"a=b", 1e-3}};
   data.criteria.size = "0.1 + abs(x)";
+  data.criteria.size_field = "wanted";
   data.criteria.max_turning = 45;
   data.criteria.min_size = 1e-6;
   data.criteria.extra = {{"later", "{\"a\":[1,2.50]}"}};
@@ -133,6 +134,7 @@ TEST_CASE("what is read is what was written", "[formats]") {
   CHECK(a.criteria.max_area == b.criteria.max_area);
   CHECK(a.criteria.face_area == b.criteria.face_area);
   CHECK(a.criteria.size == b.criteria.size);
+  CHECK(a.criteria.size_field == b.criteria.size_field);
   CHECK(a.criteria.max_turning == b.criteria.max_turning);
   CHECK(a.criteria.min_size == b.criteria.min_size);
   CHECK(a.criteria.extra == b.criteria.extra);

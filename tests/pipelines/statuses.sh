@@ -37,6 +37,13 @@ run 0 passthrough --face-area cell=0.25 --max-turning 30 with.json
 grep -qF '"criteria":{"min_angle":0,"face_area":{"cell":0.25},"size":"0.1+x","max_turning":30}' out ||
   fail "an option replaces its entry and leaves the others"
 
+# A field of wanted lengths must be there, and have one component.
+run 2 refine --size-field nothing disk.json
+says "--size-field: the mesh has no field 'nothing'"
+sed 's/"criteria":{/"criteria":{"size_field":"gone",/' with.json >gone.json
+run 3 coarsen gone.json
+says '/criteria/size_field'
+
 # No result: status 4, the frames before stay, messages only on standard error.
 run 4 passthrough --stop-at 2 series.jsonl
 says 'passthrough: series.jsonl: frame 2: told to stop'

@@ -4,11 +4,12 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <numbers>
-#include <queue>
+#include <string>
+#include <utility>
 
-#include "pliant/geometry/douglas_peucker.h"
+#include "pliant/improve/independent_set.h"
 #include "pliant/improve/legalize.h"
+#include "pliant/improve/local_feature_size.h"
 #include "pliant/improve/refine.h"
 #include "pliant/mesh/star.h"
 #include "pliant/ops/remove_point.h"
@@ -17,167 +18,173 @@
 namespace pliant {
 namespace {
 
-constexpr double spacing_factor = 0.6;  // least distance of kept vertices, in wanted edge lengths
-constexpr double gradation = 0.7;       // Lipschitz bound of the wanted length
-constexpr double least_shape = 0.25;    // a removal must not leave curved elements worse than this and than before
+constexpr double gradation = 0.7;     // Lipschitz bound of the wanted length
+constexpr double least_shape = 0.25;  // a removal must not leave curved elements worse than this and than before
+constexpr double growth = 1.8;        // of lengths in a round
+constexpr int most_chained = 12;      // removals that may mend each other's elements
+constexpr int most_rounds = 40;       // of choosing what stays
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-enum class Role : char { inner, curve, kept };  // of a vertex; kept: corners and what geometry needs
+void sort_unique(std::vector<TriangleId>& list) {
+  std::sort(list.begin(), list.end());
+  list.erase(std::unique(list.begin(), list.end()), list.end());
+}
 
 class Coarsener {
  public:
   Coarsener(Mesh& mesh, const CoarsenOptions& options) : mesh_(mesh), options_(options) {}
 
   PassReport run() {
-    find_roles();
-    find_spacing();
-    choose();
-    for (const Role role : {Role::inner, Role::curve})
-      for (PointId v = 0; v < static_cast<PointId>(roles_.size()); ++v)
-        if (mesh_.is_vertex(v) && roles_[at(v)] == role && !chosen_[at(v)]) remove(v, role);
+    for (int round = 0; round < most_rounds; ++round) {
+      const long before = inner_removals_ + curve_removals_;
+      choose();
+      remove_slated();
+      if (inner_removals_ + curve_removals_ == before) break;
+    }
+    PassReport report = make_report();
     mesh_.compact();
-    return report();
+    return report;
   }
 
  private:
-  void find_roles() {
-    roles_.assign(at(mesh_.point_slots()), Role::inner);
-    vertices_.clear();
-    for (PointId v = 0; v < mesh_.point_slots(); ++v) {
-      if (!mesh_.is_vertex(v)) continue;
-      vertices_.push_back(v);
-      find_star(mesh_, v, star_);
-      if (is_on_curve(mesh_, star_)) roles_[at(v)] = Role::curve;
-    }
-    if (options_.polygon_tolerance > 0) find_needed_knots();
-  }
-
-  /// A knot is needed if Douglas-Peucker keeps any of its degree neighbouring control points.
-  void find_needed_knots() {
-    std::vector<std::vector<double>> needed(mesh_.boundary().curves.size());
-    for (std::size_t c = 0; c < needed.size(); ++c) {
-      const BSpline& spline = mesh_.spline(static_cast<CurveId>(c));
-      const std::vector<bool> keep = douglas_peucker(spline.points(), spline.closed(), options_.polygon_tolerance);
-      const int count = static_cast<int>(keep.size()), p = spline.degree();
-      const auto breaks = spline.breaks();
-      for (std::size_t s = 0; s + (spline.closed() ? 1 : 0) < breaks.size(); ++s) {
-        // Control point i is next to the knots i + 1 .. i + degree of its support.
-        for (int i = 0; i < count; ++i) {
-          if (!keep[at(i)]) continue;
-          bool near = false;
-          for (int k = i + 1; k <= i + p && !near; ++k) {
-            double knot = spline.knot(k);
-            if (spline.closed() && knot >= spline.last_parameter()) knot -= spline.period();
-            near = knot == breaks[s];
-          }
-          if (near) {
-            needed[c].push_back(breaks[s]);
-            break;
-          }
-        }
-      }
-    }
-    for (HalfEdgeId h = 0; h < 3 * mesh_.triangle_slots(); ++h) {
-      if (!mesh_.is_alive(triangle_of(h)) || !mesh_.is_constrained(h)) continue;
-      const ConstraintId c = mesh_.constraint(h);
-      const auto& breaks = needed[at(mesh_.constraint_curve(c))];
-      if (std::find(breaks.begin(), breaks.end(), mesh_.constraint_start(c)) != breaks.end())
-        roles_[at(mesh_.constraint_first(c))] = Role::kept;
-    }
-  }
-
-  /// The wanted edge length at each vertex, graded.
-  void find_spacing() {
-    spacing_.assign(roles_.size(), HUGE_VAL);
-    using Item = std::pair<double, PointId>;
-    std::priority_queue<Item, std::vector<Item>, std::greater<>> queue;
-    for (const PointId v : vertices_) {
-      double wanted = HUGE_VAL;
-      find_star(mesh_, v, star_);
-      for (const HalfEdgeId h : star_.outgoing)
-        wanted = std::min(wanted,
-                          std::sqrt(options_.goals.area_bound(mesh_.face(triangle_of(h))) * 4 / std::numbers::sqrt3));
-      if (options_.goals.size) wanted = std::min(wanted, options_.goals.size(mesh_.point(v), mesh_.time));
-      if (roles_[at(v)] == Role::kept)  // geometry's own spacing
-        for (const HalfEdgeId h : star_.outgoing)
-          if (mesh_.is_constrained(h)) wanted = std::min(wanted, edge_length(h));
-      spacing_[at(v)] = wanted;
-      if (wanted < HUGE_VAL) queue.push({wanted, v});
-    }
-    while (!queue.empty()) {  // Dijkstra: wanted(v) <= wanted(u) + gradation * distance
-      const auto [wanted, v] = queue.top();
-      queue.pop();
-      if (wanted > spacing_[at(v)]) continue;
-      find_star(mesh_, v, star_);
-      for (const HalfEdgeId h : star_.outgoing) {
-        const PointId w = mesh_.target(h);
-        const double graded = wanted + gradation * edge_length(h);
-        if (graded >= spacing_[at(w)]) continue;
-        spacing_[at(w)] = graded;
-        queue.push({graded, w});
-      }
-    }
-    const double widest = mesh_.size();
-    for (double& wanted : spacing_) wanted = std::min(wanted, widest);
-  }
-  double edge_length(HalfEdgeId h) const {
-    return distance(mesh_.point(mesh_.origin(h)), mesh_.point(mesh_.target(h)));
-  }
-
-  /// A maximal set of vertices with disjoint spheres: what geometry needs first, then curves, then the rest. A chosen
-  /// vertex shuts out those in its sphere, so that the work is the sum of the chosen spheres' vertices.
-  void choose() {
-    chosen_.assign(roles_.size(), 0);
-    std::vector<char> shut_out(roles_.size(), 0);
-    std::vector<std::int32_t> visited(roles_.size(), none);
-    std::vector<PointId> front;
-    for (const Role role : {Role::kept, Role::curve, Role::inner})
-      for (const PointId v : vertices_) {
-        if (roles_[at(v)] != role || (shut_out[at(v)] && role != Role::kept)) continue;
-        chosen_[at(v)] = 1;
-        front.assign(1, v);
-        visited[at(v)] = v;
-        const double scale = options_.factor * spacing_factor;
-        for (std::size_t k = 0; k < front.size(); ++k) {
-          find_star(mesh_, front[k], star_);
-          const auto look_at = [&](PointId w) {
-            if (visited[at(w)] == v) return;
-            visited[at(w)] = v;
-            const double far = distance(mesh_.point(v), mesh_.point(w));
-            if (far >= scale * spacing_[at(v)]) return;
-            if (far < scale * spacing_[at(w)]) shut_out[at(w)] = 1;
-            front.push_back(w);
-          };
-          for (const HalfEdgeId h : star_.outgoing) {
-            look_at(mesh_.target(h));
-            look_at(mesh_.apex(h));
-          }
-        }
-      }
-  }
-
   using Corners = std::array<PointId, 3>;
-  Corners corners_of(TriangleId t) const {
-    Corners corners{mesh_.corner(t, 0), mesh_.corner(t, 1), mesh_.corner(t, 2)};
-    std::sort(corners.begin(), corners.end());
-    return corners;
+
+  /// What stays. What could not go in the last round comes first: on curves it is part of the geometry by now, inside
+  /// it may let others go.
+  void choose() {
+    const std::vector<CurveChain> chains = curve_chains(mesh_);
+    roles_ = vertex_roles(mesh_, chains, options_.polygon_tolerance);
+    std::vector<PointId> stuck;
+    for (const auto& [v, reason] : refused_) {
+      if (roles_[at(v)] == VertexRole::curve) roles_[at(v)] = VertexRole::kept;
+      if (roles_[at(v)] == VertexRole::inner) stuck.push_back(v);
+    }
+    std::vector<double> bounds = longest_edges();
+    for (double& bound : bounds) bound *= growth;
+    if (options_.feature_share > 0) {
+      const std::vector<double> features = local_feature_sizes(mesh_, chains);
+      for (std::size_t k = 0; k < bounds.size(); ++k)
+        bounds[k] = std::min(bounds[k], options_.feature_share * features[k]);
+    }
+    const std::vector<double> spacing = wanted_spacing(mesh_, chains, roles_, options_.goals, bounds, gradation);
+    const std::vector<bool> chosen = independent_set(mesh_, chains, roles_, spacing, stuck, options_.factor);
+    slated_.assign(chosen.size(), false);
+    for (PointId v = 0; v < mesh_.point_slots(); ++v) slated_[at(v)] = mesh_.is_vertex(v) && !chosen[at(v)];
   }
-  double shape_of(TriangleId t) const {
-    std::array<Point, net_size(max_degree)> net;
-    mesh_.gather_points(t, net);
-    return curved_shape(mesh_.degree(), {net.data(), at(mesh_.net_size())});
+  /// At each vertex.
+  std::vector<double> longest_edges() const {
+    std::vector<double> longest(at(mesh_.point_slots()), 0);
+    for (HalfEdgeId h = 0; h < 3 * mesh_.triangle_slots(); ++h) {
+      if (!mesh_.is_alive(triangle_of(h))) continue;
+      const double length = edge_length(h);
+      for (const PointId v : {mesh_.origin(h), mesh_.target(h)}) longest[at(v)] = std::max(longest[at(v)], length);
+    }
+    return longest;
+  }
+  bool is_slated(PointId v) const { return slated_[at(v)] && mesh_.is_vertex(v); }
+
+  /// One by one; what was refused is tried again when something around it has changed.
+  void remove_slated() {
+    std::vector<PointId> queue;
+    for (PointId v = 0; v < mesh_.point_slots(); ++v)
+      if (slated_[at(v)]) queue.push_back(v);
+    refused_.clear();
+    is_waiting_.assign(slated_.size(), true);
+    while (!queue.empty()) {
+      waiting_.clear();
+      for (const PointId v : queue) {
+        is_waiting_[at(v)] = false;
+        if (is_slated(v)) remove(v);
+      }
+      std::swap(queue, waiting_);
+    }
+    std::erase_if(refused_, [this](const auto& entry) { return !mesh_.is_vertex(entry.first); });
   }
 
-  /// The triangles around the link of what is removed: which ones refine would attack, and the worst shape.
-  void look_around(std::vector<TriangleId>& triangles, const std::vector<PointId>& link) {
-    triangles.clear();
-    for (const PointId w : link) {
-      find_star(mesh_, w, star_);
-      for (const HalfEdgeId h : star_.outgoing) triangles.push_back(triangle_of(h));
+  /// Removes v, and then others that are slated as long as elements are left that refine would attack.
+  void remove(PointId v) {
+    Transaction transaction(mesh_);
+    chained_.clear();
+    around_.clear();
+    attacked_.clear();
+    worst_before_ = 1;
+    double error = 0;
+    std::string refusal;
+    for (PointId w = v; w != none;) {
+      const CurveRemoval removal = remove_one(w);
+      if (removal.refusal != Refusal::done && w == v) refusal = describe(removal.refusal);
+      if (removal.refusal != Refusal::done) break;
+      chained_.push_back(w);
+      error = std::max(error, removal.error);
+      const char* reason = nullptr;
+      w = find_culprit(reason);
+      refusal = reason ? std::string("would be refined again: ") + reason : "";
+      if (chained_.size() == most_chained) break;
     }
-    std::sort(triangles.begin(), triangles.end());
-    triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
+    if (refusal.empty() && is_misshapen()) refusal = "would be misshapen";
+    if (!refusal.empty()) {
+      refused_[v] = refusal;
+      return;
+    }
+    transaction.commit();
+    for (const PointId gone : chained_) ++(roles_[at(gone)] == VertexRole::inner ? inner_removals_ : curve_removals_);
+    largest_error_ = std::max(largest_error_, error);
+    wake_around();
+  }
+
+  CurveRemoval remove_one(PointId v) {
+    find_star(mesh_, v, star_);
+    link_.clear();
+    for (const HalfEdgeId h : star_.outgoing) link_.push_back(mesh_.target(h));
+    if (!star_.is_closed) link_.push_back(mesh_.apex(star_.outgoing.back()));
+    const bool on_curve = roles_[at(v)] != VertexRole::inner;
+    changed_.clear();
+    if (on_curve) {
+      add_curve_neighbors(v);
+      look_around();
+    } else {
+      for (const HalfEdgeId h : star_.outgoing) changed_.push_back(triangle_of(h));
+    }
+    for (const TriangleId t : changed_) {
+      worst_before_ = std::min(worst_before_, shape_of(t));
+      if (chained_.empty() && refine_reason(mesh_, t, options_.goals)) attacked_.push_back(corners_of(t));
+    }
+    CurveRemoval removal;
+    if (on_curve)
+      removal = remove_curve_vertex(
+          mesh_, v, {options_.tolerance, options_.step_tolerance, options_.keep_area, options_.goals.max_turning},
+          options_.refit);
+    else
+      removal.refusal = remove_inner_vertex(mesh_, v, options_.refit);
+    if (removal.refusal != Refusal::done) return removal;
+    on_curve ? look_around() : look_inside();
+    for (const TriangleId t : changed_)  // flips that the hole's edges now want
+      for (int e = 0; e < 3; ++e)
+        if (wants_flip(edge_state(mesh_, half_edge(t, e)))) stack_.push_back(half_edge(t, e));
+    around_.insert(around_.end(), changed_.begin(), changed_.end());
+    legalize(mesh_, stack_, options_.refit, counts_, -1, &around_);
+    sort_unique(around_);
+    return removal;
+  }
+
+  /// The triangles at the link of what is removed.
+  void look_around() {
+    changed_.clear();
+    for (const PointId w : link_) {
+      find_star(mesh_, w, star_);
+      for (const HalfEdgeId h : star_.outgoing) changed_.push_back(triangle_of(h));
+    }
+    sort_unique(changed_);
+  }
+
+  /// Those of them that lie in the hole, all corners on the link.
+  void look_inside() {
+    look_around();
+    const auto is_outside = [this](PointId v) { return std::find(link_.begin(), link_.end(), v) == link_.end(); };
+    std::erase_if(changed_, [&](TriangleId t) {
+      return is_outside(mesh_.corner(t, 0)) || is_outside(mesh_.corner(t, 1)) || is_outside(mesh_.corner(t, 2));
+    });
   }
 
   /// Knot removal moves vertices along its curve, too: up to `degree` spans away.
@@ -198,65 +205,59 @@ class Coarsener {
     link_.insert(link_.end(), chain_.begin() + 1, chain_.end());
   }
 
-  void remove(PointId v, Role role) {
-    find_star(mesh_, v, star_);
-    link_.clear();
-    for (const HalfEdgeId h : star_.outgoing) link_.push_back(mesh_.target(h));
-    if (!star_.is_closed) link_.push_back(mesh_.apex(star_.outgoing.back()));
-    if (role == Role::curve) add_curve_neighbors(v);
-    look_around(around_, link_);
-    attacked_.clear();
-    double worst_before = 1;
+  /// Of an element that refine would attack, and would not have before, a slated vertex whose removal may mend it; or
+  /// none. `reason` is why it would be attacked, null if none is.
+  PointId find_culprit(const char*& reason) {
+    PointId culprit = none;
     for (const TriangleId t : around_) {
-      if (refine_reason(mesh_, t, options_.goals)) attacked_.push_back(corners_of(t));
-      worst_before = std::min(worst_before, shape_of(t));
+      if (!mesh_.is_alive(t)) continue;
+      const char* why = refine_reason(mesh_, t, options_.goals);
+      if (!why || std::find(attacked_.begin(), attacked_.end(), corners_of(t)) != attacked_.end()) continue;
+      reason = why;
+      HalfEdgeId shortest = half_edge(t, 0);
+      for (int e = 1; e < 3; ++e)
+        if (edge_length(half_edge(t, e)) < edge_length(shortest)) shortest = half_edge(t, e);
+      culprit = none;
+      for (const PointId w : {mesh_.apex(shortest), mesh_.target(shortest), mesh_.origin(shortest)})
+        if (is_slated(w)) culprit = w;
+      if (culprit == none) return none;
     }
-    std::sort(attacked_.begin(), attacked_.end());
-
-    Transaction transaction(mesh_);
-    double error = 0;
-    Refusal refusal;
-    if (role == Role::curve) {
-      const CurveRemoval removal = remove_curve_vertex(
-          mesh_, v, {options_.tolerance, options_.step_tolerance, options_.keep_area, options_.goals.max_turning},
-          options_.refit);
-      refusal = removal.refusal;
-      error = removal.error;
-    } else {
-      refusal = remove_inner_vertex(mesh_, v, options_.refit);
-    }
-    if (refusal != Refusal::done) {
-      ++refusals_[describe(refusal)];
-      return;
-    }
-    // Flips that the hole's edges now want; then the verdict.
-    look_around(around_, link_);
-    for (const TriangleId t : around_)
-      for (int e = 0; e < 3; ++e)
-        if (wants_flip(edge_state(mesh_, half_edge(t, e)))) stack_.push_back(half_edge(t, e));
-    touched_.clear();
-    legalize(mesh_, stack_, options_.refit, counts_, -1, &touched_);
-    look_around(around_, link_);
-    around_.insert(around_.end(), touched_.begin(), touched_.end());
-    std::sort(around_.begin(), around_.end());
-    around_.erase(std::unique(around_.begin(), around_.end()), around_.end());
-    for (const TriangleId t : around_) {
-      const char* reason = refine_reason(mesh_, t, options_.goals);
-      if (reason && !std::binary_search(attacked_.begin(), attacked_.end(), corners_of(t))) {
-        ++refusals_[std::string("would be refined again: ") + reason];
-        return;
-      }
-      if (shape_of(t) < std::min(worst_before, least_shape)) {
-        ++refusals_["would be misshapen"];
-        return;
-      }
-    }
-    transaction.commit();
-    ++(role == Role::curve ? curve_removals_ : inner_removals_);
-    largest_error_ = std::max(largest_error_, error);
+    return culprit;
   }
 
-  PassReport report() const {
+  bool is_misshapen() const {
+    for (const TriangleId t : around_)
+      if (mesh_.is_alive(t) && shape_of(t) < std::min(worst_before_, least_shape)) return true;
+    return false;
+  }
+
+  void wake_around() {
+    for (const TriangleId t : around_) {
+      if (!mesh_.is_alive(t)) continue;
+      for (int c = 0; c < 3; ++c) {
+        const PointId w = mesh_.corner(t, c);
+        if (!is_slated(w) || is_waiting_[at(w)]) continue;
+        is_waiting_[at(w)] = true;
+        waiting_.push_back(w);
+      }
+    }
+  }
+
+  double edge_length(HalfEdgeId h) const {
+    return distance(mesh_.point(mesh_.origin(h)), mesh_.point(mesh_.target(h)));
+  }
+  Corners corners_of(TriangleId t) const {
+    Corners corners{mesh_.corner(t, 0), mesh_.corner(t, 1), mesh_.corner(t, 2)};
+    std::sort(corners.begin(), corners.end());
+    return corners;
+  }
+  double shape_of(TriangleId t) const {
+    std::array<Point, net_size(max_degree)> net;
+    mesh_.gather_points(t, net);
+    return curved_shape(mesh_.degree(), {net.data(), at(mesh_.net_size())});
+  }
+
+  PassReport make_report() const {
     PassReport report;
     report.add("removals", static_cast<double>(inner_removals_ + curve_removals_));
     report.add("interior_removals", static_cast<double>(inner_removals_));
@@ -266,22 +267,24 @@ class Coarsener {
     for (const Curve& curve : mesh_.boundary().curves) accumulated = std::max(accumulated, curve.removal_error);
     report.add("accumulated_error", accumulated);
     report.add("triangles", mesh_.triangle_count());
-    for (const auto& [reason, times] : refusals_) report.refuse(reason, times);
+    for (const auto& [v, reason] : refused_) report.refuse(reason, mesh_.point(v));
     return report;
   }
 
   Mesh& mesh_;
   const CoarsenOptions& options_;
-  std::vector<PointId> vertices_, link_, chain_;
-  std::vector<Role> roles_;
-  std::vector<double> spacing_;
-  std::vector<char> chosen_;
-  std::vector<TriangleId> around_, touched_;
-  std::vector<Corners> attacked_;
+  std::vector<VertexRole> roles_;
+  std::vector<bool> slated_, is_waiting_;
+  std::vector<PointId> waiting_;            // what to try once more
+  std::map<PointId, std::string> refused_;  // of this round, by vertex
+  // One chain of removals:
+  std::vector<PointId> chained_, link_, chain_;
+  std::vector<TriangleId> around_, changed_;
+  std::vector<Corners> attacked_;  // before
+  double worst_before_ = 1;
   std::vector<HalfEdgeId> stack_;
   Star star_;
   LegalizeCounts counts_;
-  std::map<std::string, long> refusals_;
   long inner_removals_ = 0, curve_removals_ = 0;
   double largest_error_ = 0;
 };

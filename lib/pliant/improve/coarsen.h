@@ -10,14 +10,18 @@ struct CoarsenOptions {
   double tolerance = HUGE_VAL;       ///< bound of each curve's accumulated knot-removal error (length)
   double step_tolerance = HUGE_VAL;  ///< bound of the error of one removal (length)
   double polygon_tolerance = 0;      ///< Douglas-Peucker on the control polygons (length); 0: geometry does not decide
+  double feature_share = 0;          ///< no length above this part of the local feature size; 0: not asked
   double factor = 1.0;               ///< scales the spheres of the sizing function
   bool keep_area = false;            ///< removals keep the area enclosed by their curve
   RefitOptions refit;
 };
 
 /// Removes vertices: the wanted spacing (size bounds, made Lipschitz) chooses a maximal set with disjoint spheres that
-/// is kept, beside what the curves' geometry needs; the others are removed one by one. A removal that leaves a triangle
-/// which `refine` with the same goals would attack is rolled back, so that the two never chase each other.
+/// is kept, beside what the curves' geometry needs; the others are slated and removed one by one. Where a removal
+/// leaves a triangle which `refine` with the same goals would attack, slated corners of it go with it, as many as it
+/// takes; if that does not help all of it is rolled back, so that the two never chase each other. What stayed so is
+/// chosen first in another round. With bounds on size some (4/sqrt(3)) times the integral of 1/length² triangles are
+/// left.
 PassReport coarsen(Mesh& mesh, const CoarsenOptions& options);
 
 }  // namespace pliant

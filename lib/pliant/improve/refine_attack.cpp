@@ -41,10 +41,15 @@ Attack attack_on(const Mesh& mesh, TriangleId t, const QualityGoals& goals) {
     const double ratio = element_area(mesh.degree(), {net.data(), at(mesh.net_size())}) / bound;
     if (ratio > 1) return {"too large", ratio, none, false};
   }
-  if (goals.size) {
-    const double wanted = goals.size((1.0 / 3) * (a + b + c), mesh.time);
+  if (goals.size || goals.size_field != none) {
+    double wanted = goals.length_at((1.0 / 3) * (a + b + c), mesh.time);
+    if (goals.size_field != none) {
+      double sum = 0;
+      for (int k = 0; k < 3; ++k) sum += goals.length_by_field(mesh, t, k);
+      wanted = std::min(wanted, sum / 3);
+    }
     const double longest = std::sqrt(std::max({squared_length(b - a), squared_length(c - b), squared_length(a - c)}));
-    if (wanted > 0 && longest > size_slack * wanted) return {"too large", longest / (size_slack * wanted), none, false};
+    if (longest > size_slack * wanted) return {"too large", longest / (size_slack * wanted), none, false};
   }
   if (goals.min_angle > 0) {
     const double limit = 1 / (2 * std::sin(goals.min_angle * std::numbers::pi / 180));

@@ -2,12 +2,46 @@
 
 #include <cmath>
 #include <numbers>
+#include <stdexcept>
 
 namespace pliant {
+namespace {
+
+constexpr double bound_by_mean_area = 1.75;  // of a mesh that was refined to a bound on area
+
+int find_size_field(const Mesh& mesh, const std::string& name) {
+  for (std::size_t k = 0; k < mesh.fields().size(); ++k) {
+    const Field& field = mesh.fields()[k];
+    if (field.name != name) continue;
+    if (field.components != 1)
+      throw std::invalid_argument("the field '" + name + "' has " + std::to_string(field.components) +
+                                  " components; wanted lengths are one");
+    return static_cast<int>(k);
+  }
+  throw std::invalid_argument("the mesh has no field '" + name + "'");
+}
+
+}  // namespace
 
 double QualityGoals::area_bound(FaceId f) const {
   const auto k = static_cast<std::size_t>(f);
   return std::min(max_area, k < face_area.size() ? face_area[k] : HUGE_VAL);
+}
+
+double QualityGoals::length_for_area(FaceId f) const {
+  return std::sqrt(area_bound(f) / bound_by_mean_area * 4 / std::numbers::sqrt3);
+}
+
+double QualityGoals::length_at(const Point& p, double time) const {
+  const double wanted = size ? size(p, time) : HUGE_VAL;
+  return wanted > 0 ? wanted : HUGE_VAL;
+}
+
+double QualityGoals::length_by_field(const Mesh& mesh, TriangleId t, int corner) const {
+  if (size_field == none) return HUGE_VAL;
+  const std::ptrdiff_t index = mesh.value_index(size_field, mesh.corner(t, corner), mesh.face(t));
+  const double wanted = mesh.fields()[static_cast<std::size_t>(size_field)].values[static_cast<std::size_t>(index)];
+  return wanted > 0 ? wanted : HUGE_VAL;
 }
 
 QualityGoals goals_of(const Mesh& mesh, SizeFunction size) {
@@ -21,6 +55,7 @@ QualityGoals goals_of(const Mesh& mesh, SizeFunction size) {
     if (f != outside) goals.face_area[static_cast<std::size_t>(f)] = area;
   }
   goals.size = std::move(size);
+  if (criteria.size_field) goals.size_field = find_size_field(mesh, *criteria.size_field);
   if (criteria.max_turning) goals.max_turning = *criteria.max_turning * std::numbers::pi / 180;
   if (criteria.min_size) goals.min_size = *criteria.min_size;
   return goals;

@@ -16,12 +16,20 @@ struct QualityGoals {
   double max_area = HUGE_VAL;     ///< of an element
   std::vector<double> face_area;  ///< by face: HUGE_VAL where not bounded
   SizeFunction size;              ///< empty: not asked
+  int size_field = none;          ///< a field of wanted edge lengths, one component; no bound where not above 0
   double max_turning = HUGE_VAL;  ///< of an edge, radians
   double min_size = 0;            ///< no two vertices closer; 0: 1e-9 of the mesh's size
 
   double area_bound(FaceId f) const;
+  /// The length of edges at which refinement to the bound on area ends, on average; infinite without a bound.
+  double length_for_area(FaceId f) const;
+  /// What `size` asks for at a place; infinite where nothing is asked.
+  double length_at(const Point& p, double time) const;
+  /// What `size_field` asks for at a corner of a triangle; infinite where nothing is asked.
+  double length_by_field(const Mesh& mesh, TriangleId t, int corner) const;
 };
 /// From the document's criteria; `size` is the compiled expression of criteria.size (empty if there is none).
+/// Throws      std::invalid_argument where criteria.size_field names no field of one component
 QualityGoals goals_of(const Mesh& mesh, SizeFunction size);
 
 }  // namespace pliant

@@ -33,7 +33,8 @@ struct Criteria {
   std::optional<double> min_angle;
   std::optional<double> max_area;
   std::vector<std::pair<std::string, double>> face_area;
-  std::optional<std::string> size;  ///< expression in x, y, t
+  std::optional<std::string> size;        ///< expression in x, y, t
+  std::optional<std::string> size_field;  ///< name of a field of wanted lengths
   std::optional<double> max_turning;
   std::optional<double> min_size;
   ExtraMembers extra;
