@@ -1,0 +1,37 @@
+#pragma once  // lib/pliant/mesh/mesh_log.h: what a transaction notes of each change (private to this layer)
+#include "pliant/mesh/mesh.h"
+
+namespace pliant {
+
+// value: index of the first kind for field values; field f is value + f.
+enum class Mesh::Log : std::uint32_t {
+  point_x,
+  point_y,
+  net,
+  face,
+  twin,
+  constraint,
+  vertex_half_edge,
+  constraint_curve,
+  constraint_first,
+  constraint_start,
+  grow_triangles,
+  grow_points,
+  grow_constraints,
+  grow_places,
+  pop_triangle,
+  pop_point,
+  pop_constraint,
+  pop_place,
+  push_triangle,
+  push_point,
+  push_constraint,
+  push_place,
+  insert_place,
+  erase_place,
+  spline,
+  knot,
+  value
+};
+
+}  // namespace pliant
