@@ -84,6 +84,26 @@ TEST_CASE("four corners of a rectangle are on one circle, exactly", "[geometry]"
   CHECK(orient2d({0.1, 0.1}, {0.2, 0.2}, {0.3, 0.3}) == 0);
 }
 
+TEST_CASE("in-circle is exact in grids, and for points a bit beside them", "[geometry][property]") {
+  Random random(4);
+  constexpr std::array spacings{1.0, 0.1, 1e-3, 1.0 / 3, 1e200, 1e-150, 12345.678};
+  for (int i = 0; i < 20000; ++i) {
+    const double h = spacings[static_cast<std::size_t>(random.below(7))];
+    const double shift = h * (i % 4 ? random.below(100) : 0);
+    const auto node = [&] { return Point{shift + h * random.below(4), shift + h * random.below(4)}; };
+    std::array<Point, 4> p{node(), node(), node(), node()};
+    if (i % 3 == 0) {  // a rectangle
+      p[1] = {p[2].x, p[0].y};
+      p[3] = {p[0].x, p[2].y};
+    }
+    if (i % 2)
+      p[static_cast<std::size_t>(random.below(4))] = random.nudged(p[static_cast<std::size_t>(random.below(4))]);
+    CAPTURE(i, h);
+    CHECK(in_circle(p[0], p[1], p[2], p[3]) == rational_circle(p[0], p[1], p[2], p[3]));
+    CHECK(in_circle(p[0], p[1], p[2], p[3]) == in_circle(p[1], p[2], p[0], p[3]));
+  }
+}
+
 TEST_CASE("predicates neither underflow nor overflow", "[geometry][property]") {
   Random random(3);
   constexpr std::array scales{1e300, 1e-300, 5e-324, 1e-310, 1e160, 1e-160, 1.7e308, 1e77, 1.0};

@@ -5,7 +5,9 @@
 #include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
+#include <optional>
 #include <span>
 
 namespace pliant {
@@ -70,6 +72,66 @@ int exact_in_circle(const Point& a, const Point& b, const Point& c, const Point&
 
 int sign(double x) { return (x > 0) - (x < 0); }
 
+#ifdef __SIZEOF_INT128__
+__extension__ using Wide = __int128;
+__extension__ using WideBits = unsigned __int128;
+
+/// A sum of products of two integers below 2^125 in magnitude, in 256 bits.
+class WideSum {
+ public:
+  void add_product(Wide a, Wide b) {
+    const bool is_negative = (a < 0) != (b < 0);
+    const auto x = static_cast<WideBits>(a < 0 ? -a : a), y = static_cast<WideBits>(b < 0 ? -b : b);
+    const WideBits x0 = low(x), x1 = x >> 64, y0 = low(y), y1 = y >> 64;
+    const WideBits bottom = x0 * y0, cross1 = x0 * y1 + (bottom >> 64), cross2 = x1 * y0 + low(cross1);
+    const WideBits head = x1 * y1 + (cross1 >> 64) + (cross2 >> 64), tail = (cross2 << 64) | low(bottom);
+    const WideBits before = tail_;
+    tail_ = is_negative ? tail_ - tail : tail_ + tail;
+    const WideBits carry = is_negative ? before < tail : tail_ < before;
+    head_ = is_negative ? head_ - head - carry : head_ + head + carry;
+  }
+  int sign() const { return static_cast<Wide>(head_) < 0 ? -1 : head_ != 0 || tail_ != 0; }
+
+ private:
+  static WideBits low(WideBits x) { return x & ~std::uint64_t{0}; }
+  WideBits head_ = 0, tail_ = 0;
+};
+
+/// x - y, if it is a double.
+bool subtracts_exactly(double x, double y) {
+  const double difference = x - y, back = x - difference;
+  return (x - (difference + back)) + (back - y) == 0;
+}
+
+/// in_circle where the differences of the points are doubles of much the same size, as in grids, where every edge asks
+/// for the exact answer: several times as fast as integers of any length. Nothing for other points.
+std::optional<int> in_circle_of_near(const Point& a, const Point& b, const Point& c, const Point& d) {
+  std::array<std::int64_t, 6> xy{};
+  const std::array<double, 6> differences{a.x - d.x, a.y - d.y, b.x - d.x, b.y - d.y, c.x - d.x, c.y - d.y};
+  double largest = 0;
+  for (const double x : differences) largest = std::max(largest, std::fabs(x));
+  if (!(largest > 1e-200 && largest < 1e200)) return std::nullopt;
+  const double scale = std::ldexp(1.0, 60 - std::ilogb(largest));
+  for (std::size_t k = 0; k < 6; ++k) {
+    const double x = scale * differences[k];
+    xy[k] = static_cast<std::int64_t>(x);
+    const bool has_underflowed = x == 0 && differences[k] != 0;
+    if (static_cast<double>(xy[k]) != x || has_underflowed) return std::nullopt;
+  }
+  for (const Point& p : {a, b, c})
+    if (!subtracts_exactly(p.x, d.x) || !subtracts_exactly(p.y, d.y)) return std::nullopt;
+  const auto lift = [&xy](std::size_t i) { return Wide{xy[i]} * xy[i] + Wide{xy[i + 1]} * xy[i + 1]; };
+  const auto minor = [&xy](std::size_t i, std::size_t j) { return Wide{xy[i]} * xy[j + 1] - Wide{xy[i + 1]} * xy[j]; };
+  WideSum det;
+  det.add_product(lift(0), minor(2, 4));
+  det.add_product(lift(2), minor(4, 0));
+  det.add_product(lift(4), minor(0, 2));
+  return det.sign();
+}
+#else
+std::optional<int> in_circle_of_near(const Point&, const Point&, const Point&, const Point&) { return std::nullopt; }
+#endif
+
 }  // namespace
 
 int orient2d(const Point& a, const Point& b, const Point& c) {
@@ -90,6 +152,7 @@ int in_circle(const Point& a, const Point& b, const Point& c, const Point& d) {
   // An inner product below the floor can underflow while its outer factor is huge, so the lifts must be tame as well.
   const bool tame = std::max({lift_u, lift_v, lift_w}) < 1e30;
   if (tame && std::fabs(det) > circle_bound * permanent + circle_floor) return sign(det);
+  if (const auto of_near = in_circle_of_near(a, b, c, d)) return *of_near;
   return exact_in_circle(a, b, c, d);
 }
 
