@@ -74,15 +74,10 @@ EdgeState edge_state(const Mesh& mesh, HalfEdgeId h) {
   if (g == none || mesh.is_constrained(h)) return EdgeState::delaunay;
   const Point &a = mesh.point(mesh.origin(h)), &b = mesh.point(mesh.target(h)), &c = mesh.point(mesh.apex(h)),
               &d = mesh.point(mesh.apex(g));
-  return edge_state(mesh, h, orient2d(a, b, c) > 0, orient2d(b, a, d) > 0);
-}
-
-EdgeState edge_state(const Mesh& mesh, HalfEdgeId h, bool is_own_positive, bool is_other_positive) {
-  const Point &a = mesh.point(mesh.origin(h)), &b = mesh.point(mesh.target(h)), &c = mesh.point(mesh.apex(h)),
-              &d = mesh.point(mesh.apex(mesh.twin(h)));
+  const int above = orient2d(a, b, c), below = orient2d(b, a, d);
   const auto flips_to_positive = [&] { return orient2d(a, d, c) > 0 && orient2d(d, b, c) > 0; };
-  if (!is_own_positive || !is_other_positive)
-    return (is_own_positive || is_other_positive) && flips_to_positive() ? EdgeState::turned_over : EdgeState::inverted;
+  if (above <= 0 || below <= 0)
+    return (above > 0 || below > 0) && flips_to_positive() ? EdgeState::turned_over : EdgeState::inverted;
   if (in_circle(a, b, c, d) <= 0) return EdgeState::delaunay;
   // A point inside the circle beyond ab sees the quadrilateral convex; the exact test guards the flat cases.
   return flips_to_positive() ? EdgeState::not_delaunay : EdgeState::inverted;

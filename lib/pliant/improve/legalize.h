@@ -17,9 +17,6 @@ constexpr bool wants_flip(EdgeState state) {
 }
 /// The state of an edge in the logical mesh, by exact predicates.
 EdgeState edge_state(const Mesh& mesh, HalfEdgeId h);
-/// The same of an edge with two triangles that is on no curve, where the orientation of both is known: whether the
-/// logical triangle of h, and that of its twin, is positive.
-EdgeState edge_state(const Mesh& mesh, HalfEdgeId h, bool is_own_positive, bool is_other_positive);
 
 /// Makes the bent ones of these inner edges straight, where the elements stay valid; one that its neighbours' bends
 /// keep from it is tried again after them. Empties the list; true if it changed any. Bent: a control point is off its
