@@ -33,6 +33,14 @@ int main(int argc, char** argv) {
   app.add_option("--feature-size", feature_share,
                  "wanted edges no longer than this part of the local feature size of the curves; default: not asked")
       ->type_name("F");
+  app.add_option_function<std::string>(
+         "--region-change",
+         [&](const std::string& name) {
+           options.refit.region_change = name == "conserve" ? RegionChange::conserve : RegionChange::reproduce;
+         },
+         "what fields keep where a curve moves: linear functions (default), or integrals")
+      ->type_name("reproduce|conserve")
+      ->check(CLI::IsMember({"reproduce", "conserve"}).description(""));
   app.add_flag("--keep-area", options.keep_area, "removals keep the area inside their curve");
   add_projection_option(app, options.refit);
   FilterOptions filter;

@@ -11,8 +11,8 @@ using namespace pliant::improve_meshes;
 namespace {
 
 /// Refined to an area, with all angles reached.
-Mesh fine_mesh(const Sample& sample, int degree, double share) {
-  Mesh mesh = mesh_of(sample.boundary, degree);
+Mesh fine_mesh(const Sample& sample, int degree, double share, bool by_face = false) {
+  Mesh mesh = mesh_of(sample.boundary, degree, by_face);
   RefineOptions options;
   options.goals.max_area = share * area_of(mesh);
   refine(mesh, options);
@@ -247,6 +247,27 @@ TEST_CASE("the area of the whole region is kept with keep_area", "[improve]") {
   options.keep_area = true;
   CHECK(value_of(coarsen(mesh, options), "curve_removals") > 0);
   CHECK(area_of(mesh) == Approx(area).epsilon(1e-12));
+}
+
+TEST_CASE("where curves move, integrals are kept if that is asked for, linear functions otherwise", "[improve]") {
+  const int degree = GENERATE(1, 2, 3);
+  const bool by_face = GENERATE(false, true);
+  Mesh mesh = fine_mesh({"cells", samples::three_cells(degree)}, degree, 1.0 / 150, by_face);
+  CoarsenOptions options = options_for(mesh, 0.05);
+  options.goals.max_area = HUGE_VAL;
+  CAPTURE(degree, by_face);
+  Mesh reproduced = mesh;
+  const double linear = integral_of(mesh, 0, 0), noise = integral_of(mesh, 1, 0);
+  const PassReport report = coarsen(reproduced, options);
+  REQUIRE(value_of(report, "curve_removals") > 0);
+  CHECK(value_of(report, "integral_change") > 1e-6);
+  CHECK(linear_error(reproduced) < 1e-11);
+  options.refit.region_change = RegionChange::conserve;
+  CHECK(value_of(coarsen(mesh, options), "integral_change") < 1e-12);
+  check_left(mesh);
+  const double scale = area_of(mesh) * mesh.size();
+  CHECK(integral_of(mesh, 0, 0) == Approx(linear).margin(1e-12 * scale));
+  CHECK(integral_of(mesh, 1, 0) == Approx(noise).margin(1e-12 * scale));
 }
 
 TEST_CASE("removals that leave the curves where they are keep integrals, linear functions and the region",

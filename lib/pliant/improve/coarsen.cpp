@@ -109,7 +109,7 @@ class Coarsener {
     around_.clear();
     attacked_.clear();
     worst_before_ = 1;
-    double error = 0;
+    double error = 0, integral_change = 0;
     std::string refusal;
     for (PointId w = v; w != none;) {
       const CurveRemoval removal = remove_one(w);
@@ -117,6 +117,7 @@ class Coarsener {
       if (removal.refusal != Refusal::done) break;
       chained_.push_back(w);
       error = std::max(error, removal.error);
+      integral_change = std::max(integral_change, removal.integral_change);
       const char* reason = nullptr;
       w = find_culprit(reason);
       refusal = reason ? std::string("would be refined again: ") + reason : "";
@@ -130,6 +131,7 @@ class Coarsener {
     transaction.commit();
     for (const PointId gone : chained_) ++(roles_[at(gone)] == VertexRole::inner ? inner_removals_ : curve_removals_);
     largest_error_ = std::max(largest_error_, error);
+    integral_change_ = std::max(integral_change_, integral_change);
     wake_around();
   }
 
@@ -266,6 +268,7 @@ class Coarsener {
     double accumulated = 0;
     for (const Curve& curve : mesh_.boundary().curves) accumulated = std::max(accumulated, curve.removal_error);
     report.add("accumulated_error", accumulated);
+    report.add("integral_change", integral_change_);
     report.add("triangles", mesh_.triangle_count());
     for (const auto& [v, reason] : refused_) report.refuse(reason, mesh_.point(v));
     return report;
@@ -286,7 +289,7 @@ class Coarsener {
   Star star_;
   LegalizeCounts counts_;
   long inner_removals_ = 0, curve_removals_ = 0;
-  double largest_error_ = 0;
+  double largest_error_ = 0, integral_change_ = 0;
 };
 
 }  // namespace
