@@ -35,15 +35,31 @@ const std::vector<double>& table_of(int p) {
   return tables[k];
 }
 
+using Jacobian = std::array<double, net_size(2 * (max_degree - 1))>;
+
+std::size_t jacobian_of(int degree, std::span<const Point> net, Jacobian& jacobian) {
+  const auto d = static_cast<std::size_t>(net_size(jacobian_degree(degree)));
+  jacobian_net(degree, net, {jacobian.data(), d});
+  return d;
+}
+
+/// integral_weights of one control point.
+double integral_weight(int degree, std::span<const Point> net, std::size_t k) {
+  Jacobian jacobian;
+  const std::size_t d = jacobian_of(degree, net, jacobian);
+  const double* const row = table_of(degree).data() + k * d;
+  double sum = 0;
+  for (std::size_t m = 0; m < d; ++m) sum += row[m] * jacobian[m];
+  return sum;
+}
+
 }  // namespace
 
 void integral_weights(int degree, std::span<const Point> net, std::span<double> weights) {
-  std::array<double, net_size(2 * (max_degree - 1))> jacobian;
-  const auto n = static_cast<std::size_t>(net_size(degree)),
-             d = static_cast<std::size_t>(net_size(jacobian_degree(degree)));
-  jacobian_net(degree, net, {jacobian.data(), d});
+  Jacobian jacobian;
+  const std::size_t d = jacobian_of(degree, net, jacobian);
   const double* entry = table_of(degree).data();
-  for (std::size_t k = 0; k < n; ++k) {
+  for (std::size_t k = 0; k < static_cast<std::size_t>(net_size(degree)); ++k) {
     double sum = 0;
     for (std::size_t m = 0; m < d; ++m) sum += *entry++ * jacobian[m];
     weights[k] = sum;
@@ -52,15 +68,14 @@ void integral_weights(int degree, std::span<const Point> net, std::span<double> 
 
 double weight_in_mesh(const Mesh& mesh, PointId p, TriangleId inside, int local, bool by_face) {
   std::array<Point, net_size(max_degree)> net;
-  std::array<double, net_size(max_degree)> weights;
   const std::span<const Point> points{net.data(), static_cast<std::size_t>(mesh.net_size())};
   double sum = 0;
   const auto add = [&](TriangleId t) {
     if (by_face && mesh.face(t) != mesh.face(inside)) return;
     mesh.gather_points(t, net);
-    integral_weights(mesh.degree(), points, weights);
     const auto ids = mesh.net(t);
-    sum += weights[static_cast<std::size_t>(std::find(ids.begin(), ids.end(), p) - ids.begin())];
+    sum += integral_weight(mesh.degree(), points,
+                           static_cast<std::size_t>(std::find(ids.begin(), ids.end(), p) - ids.begin()));
   };
   if (local < 3) {
     thread_local Star star;

@@ -165,14 +165,16 @@ void Patch::fit_displacement(const Mesh& mesh, std::span<const TriangleId> now, 
   normal.assign(at(unknowns * unknowns), 0.0);
   right.assign(at(2 * unknowns), 0.0);
   std::array<Vector, net_size(max_degree)> known;
-  std::array<int, net_size(max_degree)> unknown;
+  std::array<std::pair<int, int>, net_size(max_degree)> unknown;  // place in the net, number
   std::array<double, net_size(max_degree)> old_basis;
   for (const TriangleId t : now) {
     const auto net = mesh.net(t);
     const Point a = mesh.point(net[0]), b = mesh.point(net[1]), c = mesh.point(net[2]);
-    for (int k = 0; k < n_; ++k) {
-      unknown[at(k)] = index_in(free, net[at(k)]);
-      known[at(k)] = unknown[at(k)] < 0 ? mesh.point(net[at(k)]) - straight(layout, k, a, b, c) : Vector{};
+    std::size_t own = 0;            // unknowns in this element
+    for (int k = 3; k < n_; ++k) {  // corners are where the straight triangle has them
+      const int u = index_in(free, net[at(k)]);
+      if (u >= 0) unknown[own++] = {k, u};
+      known[at(k)] = u < 0 ? mesh.point(net[at(k)]) - straight(layout, k, a, b, c) : Vector{};
     }
     const double area = triangle_area(a, b, c);
     for (std::size_t node = 0; node < table.nodes.size(); ++node) {
@@ -187,20 +189,25 @@ void Patch::fit_displacement(const Mesh& mesh, std::span<const TriangleId> now, 
         const double least = std::min({xi[0], xi[1], xi[2]});
         if (least > depth) depth = least, best = e, best_xi = xi;
       }
-      bernstein_basis(degree_, best_xi, old_basis);
+      if (degree_ == 2) {
+        const auto& [u, v, w] = best_xi;
+        old_basis[3] = 2 * u * v, old_basis[4] = 2 * v * w, old_basis[5] = 2 * w * u;
+      } else {
+        bernstein_basis(degree_, best_xi, old_basis);
+      }
       const double* const old = displacement.data() + best * at(2 * n_);
       const std::span<const double> basis = table.at(node);
       Vector rest{};
-      for (int k = 0; k < n_; ++k)
+      for (int k = 3; k < n_; ++k)
         rest += old_basis[at(k)] * Vector{old[2 * k], old[2 * k + 1]} - basis[at(k)] * known[at(k)];
       const double weight = table.nodes[node].weight * area;
-      for (int k = 0; k < n_; ++k) {
-        if (unknown[at(k)] < 0) continue;
-        right[at(2 * unknown[at(k)])] += weight * basis[at(k)] * rest.x;
-        right[at(2 * unknown[at(k)] + 1)] += weight * basis[at(k)] * rest.y;
-        for (int m = 0; m < n_; ++m)
-          if (unknown[at(m)] >= 0)
-            normal[at(unknown[at(k)] * unknowns + unknown[at(m)])] += weight * basis[at(k)] * basis[at(m)];
+      for (std::size_t i = 0; i < own; ++i) {
+        const auto& [k, u] = unknown[i];
+        const double share = weight * basis[at(k)];
+        right[at(2 * u)] += share * rest.x;
+        right[at(2 * u + 1)] += share * rest.y;
+        for (std::size_t j = 0; j < own; ++j)
+          normal[at(u * unknowns + unknown[j].second)] += share * basis[at(unknown[j].first)];
       }
     }
   }
