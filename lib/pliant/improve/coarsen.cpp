@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <map>
 #include <string>
 #include <utility>
@@ -11,6 +12,7 @@
 #include "pliant/improve/legalize.h"
 #include "pliant/improve/local_feature_size.h"
 #include "pliant/improve/refine.h"
+#include "pliant/mesh/hilbert_order.h"
 #include "pliant/mesh/star.h"
 #include "pliant/ops/remove_point.h"
 #include "pliant/quality/element_quality.h"
@@ -86,9 +88,7 @@ class Coarsener {
 
   /// One by one; what was refused is tried again when something around it has changed.
   void remove_slated() {
-    std::vector<PointId> queue;
-    for (PointId v = 0; v < mesh_.point_slots(); ++v)
-      if (slated_[at(v)]) queue.push_back(v);
+    std::vector<PointId> queue = slated_in_order();
     refused_.clear();
     is_waiting_.assign(slated_.size(), true);
     while (!queue.empty()) {
@@ -100,6 +100,18 @@ class Coarsener {
       std::swap(queue, waiting_);
     }
     std::erase_if(refused_, [this](const auto& entry) { return !mesh_.is_vertex(entry.first); });
+  }
+
+  /// Along Hilbert's curve, which keeps the work in one place of the memory.
+  std::vector<PointId> slated_in_order() const {
+    const HilbertOrder order(mesh_.box(), 16);
+    std::vector<std::pair<std::uint64_t, PointId>> places;
+    for (PointId v = 0; v < mesh_.point_slots(); ++v)
+      if (slated_[at(v)]) places.emplace_back(order(mesh_.point(v)), v);
+    std::sort(places.begin(), places.end());
+    std::vector<PointId> slated;
+    for (const auto& [place, v] : places) slated.push_back(v);
+    return slated;
   }
 
   /// Removes v, and then others that are slated as long as elements are left that refine would attack.
