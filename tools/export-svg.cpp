@@ -1,11 +1,11 @@
 #include <CLI/CLI.hpp>  // tools/export-svg.cpp
-#include <deque>
 #include <optional>
 #include <stdexcept>
 
 #include "criteria_options.h"
 #include "filter.h"
 #include "formats/svg.h"
+#include "frame_option.h"
 #include "picture_options.h"
 
 int main(int argc, char** argv) {
@@ -14,14 +14,12 @@ int main(int argc, char** argv) {
   ToolOptions options;
   PictureOptions picture;
   SvgOptions svg;
+  FrameOption frame;
   std::string box, resolution;
-  long wanted = 0;
   bool no_legend = false;
   add_common_options(app, options, false);
   picture.add(app);
-  app.add_option("--frame", wanted, "which mesh of a series, from 0; -1 is the last one")
-      ->type_name("N")
-      ->capture_default_str();
+  frame.add(app);
   app.add_flag("--control-net", svg.control_net, "draw the control nets too");
   app.add_option("--width", svg.width, "of the picture, in pixels")
       ->type_name("PIXELS")
@@ -55,21 +53,9 @@ int main(int argc, char** argv) {
     }
     OutputFile output(options.output);
     std::string text;
-    // A negative number counts from the end, which is known only there: the last -N meshes are kept.
-    std::deque<MeshData> kept;
-    long frames = 0;
-    for_each_mesh(options, [&](MeshData&& mesh, const Frame& frame) {
-      ++frames;
-      if (wanted >= 0 && frame.index != wanted) return;
-      require_mesh(mesh, true);
-      kept.push_back(std::move(mesh));
-      if (wanted < 0 && static_cast<long>(kept.size()) > -wanted) kept.pop_front();
-    });
-    if (kept.empty() || (wanted < 0 && static_cast<long>(kept.size()) < -wanted))
-      throw UsageError("--frame " + std::to_string(wanted) + ": the series has " + std::to_string(frames) +
-                       (frames == 1 ? " mesh" : " meshes"));
+    const MeshData mesh = frame.read(options);
     try {
-      write_svg(kept.front(), svg, text);
+      write_svg(mesh, svg, text);
     } catch (const std::invalid_argument& error) {
       throw UsageError(std::string("--color: ") + error.what());
     }

@@ -216,6 +216,38 @@ class Meshes(unittest.TestCase):
                 bad.add(t)
         self.assertEqual(set(report["invalid_elements"]), bad)
 
+    def test_what_export_msh_writes_is_what_gmsh_reads(self):
+        """Through Gmsh and back: shapes, faces and curves by name, lines on the boundary, nodes where they belong."""
+        for order in (1, 2, 3, 5, 10):
+            document = f"splines-{order}.json"
+            pathlib.Path(document).write_text(run("import-msh", "-q", self.gmsh("splines", order)).stdout)
+            before, curves = self.report(document), self.names(json.loads(pathlib.Path(document).read_text()))
+            for form, binary in (("msh41", ()), ("msh41", ("--binary",)), ("msh22", ()), ("msh22", ("--binary",))):
+                run("export-msh", "--format", form, *binary, document, "-o", "to.msh")
+                words = run(GMSH, "-0", "to.msh", "-format", "msh41", "-o", "from.msh")
+                self.assertNotRegex(words.stdout + words.stderr, "Warning|Error")
+                self.assertEqual("", run("import-msh", "-o", "from.json", "from.msh").stderr)
+                after = self.report("from.json")
+                self.assertEqual([], after["faults"])
+                self.assertEqual(before["triangles"], after["triangles"])
+                areas = [{face["name"]: face["area"] for face in report["faces"]} for report in (before, after)]
+                self.assertEqual({"outer", "inner"}, set(areas[0]))
+                for name, area in areas[0].items():
+                    self.assertAlmostEqual(area, areas[1][name], delta=1e-12)
+                self.assertEqual(curves, self.names(json.loads(pathlib.Path("from.json").read_text())))
+        # Nodes are known to lie on the boundary: an optimisation of Gmsh's own leaves it where it is.
+        run("export-msh", "splines-3.json", "-o", "to.msh")
+        run(GMSH, "-0", "to.msh", "-optimize_ho", "-format", "msh22", "-o", "from.msh")
+        after = self.report("from.msh")
+        self.assertAlmostEqual(self.report("splines-3.json")["area"], after["area"], delta=1e-12)
+
+    def names(self, document):
+        """How many edges the curves of each name have."""
+        count = defaultdict(int)
+        for edge in document["constrained_edges"]:
+            count[document["boundary"]["curves"][edge["curve"]]["name"]] += 1
+        return dict(count)
+
 
 if __name__ == "__main__":
     unittest.main(verbosity=1)

@@ -115,4 +115,35 @@ run 3 import-msh </dev/null
 says 'import-msh: standard input:1: the input is empty'
 run 3 import-msh -o never.json short.msh
 [ ! -e never.json ] || fail "a failure leaves a file"
+
+# And back: the same mesh, of every kind, from a file or a pipe.
+if has_tool export-msh; then
+  for format in msh41 msh22; do
+    for binary in '' --binary; do
+      run 0 export-msh --format $format $binary square.json
+      silent
+      cp out back.msh
+      run 0 bash -c "export-msh --format $format $binary - <square.json | cmp back.msh"
+      run 0 import-msh back.msh
+      silent
+      for text in '"degree":2' '"name":"lower"' '"name":"upper one"' '"name":"curve 7"' '0.5,-0.25,'; do
+        grep -qF -- "$text" out || fail "no $text in the mesh that came back: $(head -c 400 out)"
+      done
+    done
+  done
+  run 0 export-msh square.json
+  head -n 2 out | grep -qx '4.1 0 8' || fail "text of version 4.1 is the default"
+  cat square.json disk.json >series.jsonl
+  run 0 export-msh -q --frame -1 series.jsonl
+  cp out last.msh
+  run 0 export-msh disk.json
+  same out last.msh
+  says 'left out'
+  run 2 export-msh --frame 2 series.jsonl
+  says 'has 2 meshes'
+  no_output
+  run 2 export-msh --format msh1 square.json
+  run 0 export-msh -q tangled.json
+  run 3 export-msh square.msh
+fi
 finish

@@ -1,0 +1,44 @@
+#include <CLI/CLI.hpp>  // tools/export-msh.cpp
+#include <string>
+
+#include "filter.h"
+#include "formats/msh_writer.h"
+#include "frame_option.h"
+
+namespace {
+
+using namespace pliant;
+
+/// What a file in MSH format has no place for is not lost without a word.
+void say_what_is_left_out(const ToolOptions& options, const MeshData& mesh) {
+  std::string names;
+  for (const Field& field : mesh.fields) names += (names.empty() ? "" : ", ") + field.name;
+  if (!names.empty())
+    say(options, std::string(mesh.fields.size() == 1 ? "the field " : "the fields ") + names +
+                     (mesh.fields.size() == 1 ? " is" : " are") + " left out");
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app{"Write one mesh as a Gmsh MSH file.", "export-msh"};
+  ToolOptions options;
+  FrameOption frame;
+  MshWriteOptions msh;
+  std::string format = "msh41";
+  add_common_options(app, options, false);
+  app.add_option("--format", format, "msh41 or msh22")->check(CLI::IsMember({"msh41", "msh22"}))->capture_default_str();
+  app.add_flag("--binary", msh.binary, "numbers as bytes: shorter, and read faster");
+  frame.add(app);
+  return run_tool(app, argc, argv, options, [&] {
+    msh.version = format == "msh22" ? MshWriteOptions::Version::v2_2 : MshWriteOptions::Version::v4_1;
+    OutputFile output(options.output);
+    const MeshData mesh = frame.read(options);
+    say_what_is_left_out(options, mesh);
+    std::string text;
+    write_msh(mesh, msh, text);
+    output.write(text);
+    output.commit();
+    return status::done;
+  });
+}

@@ -1,0 +1,17 @@
+#pragma once  // tools/frame_option.h: which mesh of a series a tool takes that writes only one
+#include "filter.h"
+
+namespace pliant {
+
+class FrameOption {
+ public:
+  void add(CLI::App& app);
+  /// The mesh of the input that is wanted; its structure is sound, its elements may be tangled.
+  /// Throws      UsageError where the series is too short, InputError as for_each_mesh
+  MeshData read(const ToolOptions& options) const;
+
+ private:
+  long wanted_ = 0;
+};
+
+}  // namespace pliant
