@@ -8,6 +8,7 @@
 #include "pliant/generate/mesh_from_boundary.h"
 #include "pliant/geometry/control_net.h"
 #include "pliant/geometry/validity.h"
+#include "pliant/improve/coarsen.h"
 #include "pliant/improve/enforce_delaunay.h"
 #include "pliant/improve/refine.h"
 #include "pliant/mesh/locate.h"
@@ -212,20 +213,57 @@ void delaunay_nothing_to_flip(benchmark::State& state) {
   per_triangle(state, mesh);
 }
 
-/// From the first mesh of a cell to about 100,000 triangles; with 0 or 2 components carried along.
-void refine_cell(benchmark::State& state) {
-  Mesh coarse;
-  mesh_from_boundary(samples::one_cell(2), {2}, coarse);
-  if (state.range(0) > 0) bend_and_carry(coarse);
-  RefineOptions options;
-  options.goals.max_area = 4.1e-5;
-  int triangles = 0;
+/// The same, after the swirl: about an edge in three wants its flip.
+void delaunay_sheared(benchmark::State& state) {
+  Mesh sheared = delaunay_cell(state.range(0));
+  bend_and_carry(sheared);
+  double flips = 0, left = 0;
   for (auto _ : state) {
-    Mesh mesh = coarse;
-    refine(mesh, options);
-    triangles = mesh.triangle_count();
+    state.PauseTiming();
+    Mesh mesh = sheared;
+    state.ResumeTiming();
+    const PassReport report = enforce_delaunay(mesh);
+    flips = report.values[0].second;
+    left = report.values[1].second;
   }
-  state.counters["triangles"] = triangles;
+  per_triangle(state, sheared);
+  state.counters["flips"] = flips;
+  state.counters["left"] = left;
+}
+
+/// From the first mesh of a cell to about so many triangles; with 0 or 2 components carried along.
+void refine_cell(benchmark::State& state) {
+  Mesh coarse, mesh;
+  mesh_from_boundary(samples::one_cell(2), {2}, coarse);
+  if (state.range(1) > 0) bend_and_carry(coarse);
+  RefineOptions options;
+  options.goals.max_area = 4.1 / static_cast<double>(state.range(0));
+  for (auto _ : state) {
+    state.PauseTiming();
+    mesh = coarse;
+    state.ResumeTiming();
+    refine(mesh, options);
+  }
+  per_triangle(state, mesh);
+}
+
+/// From about so many triangles to a tenth of them.
+void coarsen_cell(benchmark::State& state) {
+  const Mesh& fine = delaunay_cell(state.range(0));
+  CoarsenOptions options;
+  options.goals.max_area = 41 / static_cast<double>(state.range(0));
+  options.tolerance = 1e-3 * fine.size();
+  options.step_tolerance = options.tolerance / 10;
+  int left = 0;
+  for (auto _ : state) {
+    state.PauseTiming();
+    Mesh mesh = fine;
+    state.ResumeTiming();
+    coarsen(mesh, options);
+    left = mesh.triangle_count();
+  }
+  per_triangle(state, fine);
+  state.counters["left"] = left;
 }
 
 BENCHMARK(flip)
@@ -239,7 +277,12 @@ BENCHMARK(remove_inserted)->Unit(benchmark::kMillisecond);
 BENCHMARK(remove_any)->Unit(benchmark::kMillisecond);
 BENCHMARK(locate_near)->Unit(benchmark::kMillisecond);
 BENCHMARK(certify_elements)->Unit(benchmark::kMillisecond);
-BENCHMARK(delaunay_nothing_to_flip)->Arg(10000)->Arg(100000)->Arg(1000000)->Unit(benchmark::kMillisecond);
-BENCHMARK(refine_cell)->Arg(0)->Arg(2)->Unit(benchmark::kMillisecond);
+void sizes(benchmark::internal::Benchmark* of) {
+  for (const std::int64_t triangles : {10000, 100000, 1000000}) of->Arg(triangles);
+}
+BENCHMARK(delaunay_nothing_to_flip)->Apply(sizes)->Unit(benchmark::kMillisecond);
+BENCHMARK(delaunay_sheared)->Apply(sizes)->Unit(benchmark::kMillisecond);
+BENCHMARK(refine_cell)->ArgsProduct({{10000, 100000, 1000000}, {0, 2}})->Unit(benchmark::kMillisecond);
+BENCHMARK(coarsen_cell)->Apply(sizes)->Unit(benchmark::kMillisecond);
 
 }  // namespace
