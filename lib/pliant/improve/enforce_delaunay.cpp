@@ -40,7 +40,9 @@ std::array<float, 3> least_cotangents(const Mesh& mesh, TriangleId t) {
   const auto between = [&](const Vector& u, const Vector& v) {
     const double x = u.x * v.x, y = u.y * v.y;
     const double cosine = -(x + y) - relative * (std::fabs(x) + std::fabs(y)) - absolute;
-    const auto cotangent = static_cast<float>(cosine / (twice_area + (cosine > 0 ? error : -error)));
+    const double quotient = cosine / (twice_area + (cosine > 0 ? error : -error));
+    if (!(quotient > -1e30)) return least;
+    const auto cotangent = static_cast<float>(std::min(quotient, 1e30));
     return cotangent - rounding * std::fabs(cotangent);
   };
   return {between(bc, ca), between(ca, ab), between(ab, bc)};
