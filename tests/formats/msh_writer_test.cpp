@@ -50,7 +50,7 @@ Named named(const MeshData& mesh, TriangleNumber&& triangle, PointNumber&& point
     result.faces[mesh.boundary.faces[at(mesh.triangle_faces[t])].name].insert(triangle(t));
   for (const ConstrainedEdge& edge : mesh.constrained_edges)
     result.curves[mesh.boundary.curves[at(edge.curve)].name].insert(
-        std::minmax(point(edge.points.front()), point(edge.points.back())));
+        std::minmax(point(at(edge.points.front())), point(at(edge.points.back()))));
   return result;
 }
 

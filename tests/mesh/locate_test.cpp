@@ -350,6 +350,22 @@ TEST_CASE("points are found up to a cusp, and none beside it", "[mesh]") {
   }
 }
 
+TEST_CASE("at a vertex where parts of the mesh touch the least of all elements is found", "[mesh]") {
+  samples::MeshBuilder builder(2);
+  builder.data().boundary = samples::with_faces({"hourglass"});
+  std::vector<PointId> v;
+  for (const Point& p : {Point{0, 0}, {1, -1}, {1, 1}, {-1, 1}, {-1, -1}}) v.push_back(builder.add_vertex(p));
+  builder.add_triangle(v[0], v[1], v[2], 0);
+  builder.add_triangle(v[0], v[3], v[4], 0);
+  const Mesh mesh(std::move(builder.data()));
+  for (const TriangleId hint : {0, 1, none}) {
+    const auto found = Locator(mesh).find({0, 0}, hint);
+    check_location(mesh, {0, 0}, found);
+    CHECK(found->triangle == 0);
+    CHECK(!Locator(mesh).find({0, 0.5}, hint));
+  }
+}
+
 TEST_CASE("many points at once are found as one by one", "[mesh][property]") {
   const int degree = GENERATE(range(1, 6));
   for (const Sample& sample : sample_meshes(degree)) {

@@ -149,27 +149,32 @@ std::optional<Location> Locator::search_tree(const Point& p) {
   return found;
 }
 
-/// Of the elements about p's edge or vertex that contain p: by crossing those edges that p is near.
+/// Of the elements about p's edge or vertex that contain p: by crossing those edges that p is near, and by the other
+/// components of a pinched vertex's star.
 Location Locator::least_around(const Point& p, const Location& found) const {
   Location least = found;
   if (least_of(found.xi) > near_edge) return least;
   std::array<Location, max_around> around;
   around[0] = found;
   int known = 1;
-  for (int k = 0; k < known; ++k)
+  const auto consider = [&](TriangleId t) {
+    if (known == max_around || !is_triangle(t)) return;
+    if (std::any_of(around.data(), around.data() + known, [t](const Location& l) { return l.triangle == t; })) return;
+    auto xi = invert(t, p);
+    if (!xi || least_of(*xi) < -near_edge) xi = search(t, p);  // Newton may end in a place beyond, far from p's own
+    if (!xi) return;
+    around[at(known++)] = {t, *xi};
+    if (t < least.triangle && least_of(*xi) >= -inside_tolerance) least = {t, *xi};
+  };
+  for (int k = 0; k < known; ++k) {
+    const Location here = around[at(k)];
     for (int c = 0; c < 3; ++c) {
-      if (around[at(k)].xi[at(c)] > near_edge) continue;
-      const HalfEdgeId across = mesh_.twin(half_edge(around[at(k)].triangle, (c + 1) % 3));  // opposite corner c
-      if (across == none || known == max_around) continue;
-      const TriangleId t = triangle_of(across);
-      if (std::any_of(around.data(), around.data() + known, [t](const Location& l) { return l.triangle == t; }))
-        continue;
-      auto xi = invert(t, p);
-      if (!xi || least_of(*xi) < -near_edge) xi = search(t, p);  // Newton may end in a place beyond, far from p's own
-      if (!xi) continue;
-      around[at(known++)] = {t, *xi};
-      if (t < least.triangle && least_of(*xi) >= -inside_tolerance) least = {t, *xi};
+      const HalfEdgeId across = mesh_.twin(half_edge(here.triangle, (c + 1) % 3));  // opposite corner c
+      if (here.xi[at(c)] <= near_edge && across != none) consider(triangle_of(across));
+      if (here.xi[at(c)] >= 1 - 2 * near_edge)
+        for (const HalfEdgeId h : mesh_.pinched_half_edges(mesh_.corner(here.triangle, c))) consider(triangle_of(h));
     }
+  }
   return least;
 }
 
