@@ -156,7 +156,8 @@ void FrameReports::State::print(const Frame& frame, double time, const PassRepor
   line += std::string(comma) + text_of("%.3f s", total);
   say(options, line);
   for (const auto& [reason, times] : report.refusals)
-    say(options, "  refused " + std::to_string(times) + " times: " + reason + some_places(report, reason, times));
+    say(options, "  refused " + std::to_string(times) + (times == 1 ? " time: " : " times: ") + reason +
+                     some_places(report, reason, times));
   for (const std::string& note : report.notes) say(options, "  " + note);
   if (quality == nullptr) return;
   say(options, "  before: " + in_words(quality->before));
