@@ -22,9 +22,8 @@ struct ElementSearch {
 /// Whether the closed element contains p, by bisection of its control net, with Newton in pieces that are nearly
 /// straight. It depends neither on Newton's convergence nor on the map being injective:
 ///   found      |chi(xi) - p| <= tolerance, by evaluation
-///   absent     a proof, for the doubles as stored: the pieces cover the element, and each of their control nets lies
-///   on
-///              one side of a line, p on the other, by more than the bound of all rounding errors
+///   absent     a proof, for the doubles as stored: the pieces cover the element, and a line separates p from each of
+///              their control nets, by more than the bound of all rounding errors
 ///   undecided  20000 pieces did neither
 /// Requires a tolerance above rounding (it is raised to 64 p u times the element's reach from p).
 ///
