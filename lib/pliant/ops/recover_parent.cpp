@@ -40,6 +40,12 @@ void ParentRecovery::start(const Mesh& mesh, std::span<const TriangleId> pieces)
   largest_[0] = largest_[1] = size_;
   origin_ = {rows[0], rows[1]};
   reduce(pieces_);
+  for (std::size_t c = 2; c < at(width_); ++c) {
+    double rest = 0;
+    for (std::size_t k = c; k < pieces_.size(); k += at(width_)) rest = std::max(rest, std::abs(pieces_[k]));
+    if (rest > patch_.rounding_of(linear_[c - 2], largest_[c])) continue;
+    for (std::size_t k = c; k < pieces_.size(); k += at(width_)) pieces_[k] = 0;
+  }
   parent_.assign(at(n_ * width_), 0.0);
   reduced_.assign(parent_.size(), 0.0);
 }

@@ -1,5 +1,6 @@
 #pragma once  // lib/pliant/ops/refit.h: a patch of elements before a change; fits geometry and fields of what replaces
               // it
+#include <cmath>
 #include <span>
 #include <utility>
 #include <vector>
@@ -49,6 +50,11 @@ class Patch {
     }
   };
   Moments moments_of(FaceId face) const;
+  /// Residuals below this are what rounding leaves of a linear function in a column with values up to `largest`: they
+  /// are not to be fitted, since fits enlarge noise.
+  double rounding_of(const Linear& linear, double largest) const {
+    return 0x1p-44 * (largest + (std::abs(linear.c1) + std::abs(linear.c2)) * reach_);
+  }
   Linear linear_of(int column, FaceId face, const Moments& moments) const;
   double evaluate(const Linear& linear, const Point& p) const {
     return linear.c0 + linear.c1 * (p.x - origin_.x) + linear.c2 * (p.y - origin_.y);
@@ -78,7 +84,7 @@ class Patch {
                  const RefitOptions& options, bool region_kept) const;
 
   int degree_ = 0, n_ = 0, width_ = 0;
-  double size_ = 0;
+  double size_ = 0, reach_ = 0;  // of the mesh; of the coordinates
   Point origin_;
   std::vector<Element> elements_;
   std::vector<double> rows_;

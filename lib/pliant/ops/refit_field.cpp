@@ -246,7 +246,10 @@ void Patch::fit_group(Mesh& mesh, std::span<const TriangleId> now, std::span<con
     rest.assign(at(n), 0.0);
     held.assign(at(n), 0);
     double missing = conserve ? target[at(c)] : 0;
-    for (int round = 0; round <= n && n > 0; ++round) {
+    const double largest = std::max(std::abs(values[at(c)].low), std::abs(values[at(c)].high));
+    const bool is_linear = std::max(-rests[at(c)].low, rests[at(c)].high) <= rounding_of(linear[at(c)], largest);
+    if (is_linear) spread(missing, weight, rest, {});
+    for (int round = 0; round <= n && n > 0 && !is_linear; ++round) {
       open.clear();
       for (int i = 0; i < n; ++i)
         if (!held[at(i)]) open.push_back(i);

@@ -146,6 +146,9 @@ void Patch::capture(const Mesh& mesh, std::span<const TriangleId> old) {
     first += at(n_ * width_);
   }
   origin_ = old_point(elements_[0], 0);
+  reach_ = 0;
+  for (const Element& e : elements_)
+    for (int c = 0; c < 3; ++c) reach_ = std::max({reach_, std::abs(old_point(e, c).x), std::abs(old_point(e, c).y)});
 }
 
 double Patch::extent() const {
