@@ -16,8 +16,8 @@ double sampled_distance(const BSpline& a, const BSpline& b) {
       while (t < curve.first_parameter()) t += curve.period();
     return curve.evaluate(std::min(t, curve.last_parameter()));
   };
-  for (int k = 0; k < 4000; ++k) {
-    const double t = a.first_parameter() + a.period() * k / 4000;
+  for (int k = 0; k < 600; ++k) {
+    const double t = a.first_parameter() + a.period() * k / 600;
     worst = std::max(worst, distance(a.evaluate(t), evaluate(b, t)));
   }
   return worst;
