@@ -63,7 +63,7 @@ inline Mesh nearly_straight(int degree, double bend, std::uint64_t seed) {
   options.goals.max_area = 0.01;
   refine(mesh, options);
   lay_nearly_straight(mesh, 0, random);
-  constexpr double thin = 0.2;
+  constexpr double thin = 0.25;
   for (PointId v = 0; v < mesh.point_slots(); ++v) {
     if (!mesh.is_vertex(v)) continue;
     const Point old = mesh.point(v);

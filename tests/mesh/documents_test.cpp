@@ -75,3 +75,37 @@ TEST_CASE("a document keeps what the mesh does not know, its criteria, time and 
   const bool is_same = text_of(Mesh(read_mesh(text)).to_data()) == text;
   CHECK(is_same);
 }
+
+TEST_CASE("renumbering leaves the same elements and fields, and neighbours near each other", "[mesh]") {
+  const int degree = GENERATE(1, 2, 3, 4);
+  const bool by_face = GENERATE(false, true);
+  Mesh mesh = carried_disk(degree, by_face, 20);
+  RandomOperations(mesh, 7, 600).run(3000);
+  mesh.compact();
+  Mesh renumbered = mesh;
+  renumbered.renumber();
+  CHECK(check_mesh(renumbered).empty());
+  const auto rows_of = [](const Mesh& of) {
+    std::vector<std::vector<double>> elements;
+    for (TriangleId t = 0; t < of.triangle_slots(); ++t) {
+      elements.emplace_back(static_cast<std::size_t>(of.net_size() * of.width()));
+      of.gather(t, elements.back());
+      elements.back().push_back(of.face(t));
+    }
+    std::sort(elements.begin(), elements.end());
+    return elements;
+  };
+  const bool is_same = rows_of(mesh) == rows_of(renumbered);
+  CHECK(is_same);
+  CHECK(mesh.to_data().constrained_edges.size() == renumbered.to_data().constrained_edges.size());
+  const auto apart = [](const Mesh& of) {
+    double sum = 0;
+    for (HalfEdgeId h = 0; h < 3 * of.triangle_slots(); ++h)
+      if (of.twin(h) != none) sum += std::abs(triangle_of(of.twin(h)) - triangle_of(h));
+    return sum;
+  };
+  CHECK(apart(renumbered) < 0.5 * apart(mesh));
+  Mesh again = renumbered;
+  again.renumber();
+  CHECK(difference(renumbered, again) == "");
+}

@@ -29,6 +29,7 @@ constexpr int max_failures = 40;        // of one triangle
 constexpr double default_floor = 1e-9;  // of the mesh's size: least distance of two vertices
 constexpr double least_of_root = 0.25;  // no edge shorter than this part of the feature that it comes from
 constexpr double least_of_longest = 0.2;
+constexpr long most_old = 8;         // triangles to a new vertex in a mesh that keeps its numbers
 constexpr double near_edge = 1e-3;   // of the distance to the nearest corner
 constexpr double off_center = 0.95;  // of the distance at which the triangle would be just good enough
 
@@ -57,7 +58,11 @@ class Refiner {
       if (attack.reason) treat(t, attack);
       if (options_.progress != nullptr) options_.progress->count(insertions_ + splits_);
     }
-    mesh_.compact();
+    // Numbers in the order of insertion would send every later pass from one end of the memory to the other.
+    if ((insertions_ + splits_) * most_old > mesh_.triangle_count())
+      mesh_.renumber();
+    else
+      mesh_.compact();
     return report();
   }
 

@@ -29,6 +29,9 @@ class Mesh {
   /// The document of this mesh; slots are renumbered in order. Complexity O(mesh).
   MeshData to_data() const;
   void compact();
+  /// Compacts, and numbers triangles and points so that neighbours are near (see renumber_along_hilbert).
+  /// Complexity O(mesh * log).
+  void renumber();
 
   // -- sizes
   int degree() const { return degree_; }

@@ -3,6 +3,7 @@
 
 #include "pliant/mesh/half_edges.h"
 #include "pliant/mesh/mesh.h"
+#include "pliant/mesh/renumber.h"
 
 namespace pliant {
 
@@ -159,6 +160,13 @@ void Mesh::compact() {
     *this = Mesh(to_data());
   else
     size_ = box().size();
+}
+
+void Mesh::renumber() {
+  assert(recording_ == 0);
+  MeshData data = to_data();
+  renumber_along_hilbert(data);
+  *this = Mesh(std::move(data));
 }
 
 }  // namespace pliant
