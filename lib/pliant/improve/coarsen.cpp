@@ -151,7 +151,7 @@ class Coarsener {
     find_star(mesh_, v, star_);
     link_.clear();
     for (const HalfEdgeId h : star_.outgoing) link_.push_back(mesh_.target(h));
-    if (!star_.is_closed) link_.push_back(mesh_.apex(star_.outgoing.back()));
+    if (!star_.is_closed) link_.push_back(mesh_.apex(star_.outgoing.back()));  // a pinched vertex is not removed
     const bool on_curve = roles_[at(v)] != VertexRole::inner;
     changed_.clear();
     if (on_curve) {

@@ -95,8 +95,10 @@ class Chooser {
         else if (is_candidate(w))
           queue_.push({ratio, w});
       };
-      for (const HalfEdgeId h : star_.outgoing) look_at(mesh_.target(h));
-      if (!star_.is_closed) look_at(mesh_.apex(star_.outgoing.back()));
+      for (const HalfEdgeId h : star_.outgoing) {
+        look_at(mesh_.target(h));
+        look_at(mesh_.apex(h));  // an open star's last edge has no half-edge that leaves
+      }
     }
   }
 

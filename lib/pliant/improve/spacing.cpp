@@ -92,8 +92,10 @@ std::vector<double> wanted_spacing(const Mesh& mesh, const std::vector<CurveChai
       spacing[at(w)] = graded;
       queue.push({graded, w});
     };
-    for (const HalfEdgeId h : star.outgoing) reach(mesh.target(h));
-    if (!star.is_closed) reach(mesh.apex(star.outgoing.back()));
+    for (const HalfEdgeId h : star.outgoing) {
+      reach(mesh.target(h));
+      reach(mesh.apex(h));  // an open star's last edge has no half-edge that leaves
+    }
   };
   for (PointId v = 0; v < mesh.point_slots(); ++v)
     if (mesh.is_vertex(v) && spacing[at(v)] < HUGE_VAL) spread(spacing[at(v)], v);
