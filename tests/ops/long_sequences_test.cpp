@@ -54,7 +54,7 @@ TEST_CASE(
 }
 
 TEST_CASE("the largest value of a noisy field does not grow over any number of flips", "[ops][property][long]") {
-  const int degree = GENERATE(1, 2, 3);
+  const int degree = GENERATE(1, 2, 3, 4, 5);
   const Domain& domain = GENERATE(from_range(std::begin(domains), std::end(domains)));
   CAPTURE(degree, domain.name);
   Mesh mesh = carried(domain, degree);
@@ -71,13 +71,16 @@ TEST_CASE("the largest value of a noisy field does not grow over any number of f
   const std::vector<double> sums = kept_sums(mesh);
   std::mt19937_64 random(11);
   long flips = 0;
+  double most = 0;
   const int count = operation_count(degree);
   for (int k = 0; k < count; ++k) {
     const auto h = static_cast<HalfEdgeId>(random() % static_cast<unsigned>(3 * mesh.triangle_slots()));
-    flips += flip_edge(mesh, h) == Refusal::done;
+    if (flip_edge(mesh, h) != Refusal::done) continue;
+    ++flips;
+    most = std::max(most, largest(1));  // after every flip: a large value may be averaged away again
   }
   CHECK(flips > count / 20);
-  CHECK(largest(1) <= before * (1 + 1e-12));
+  CHECK(most <= before * (1 + 1e-12));
   const std::vector<double> after = kept_sums(mesh);
   for (std::size_t k = 0; k < after.size(); ++k) CHECK(after[k] == Approx(sums[k]).margin(1e-10 * box_area(mesh)));
 }

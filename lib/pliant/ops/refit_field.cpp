@@ -14,6 +14,9 @@ namespace pliant {
 namespace {
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+constexpr double rough = 0.1;  // residuals against the variation of the best linear function
+
 using Net = std::array<Point, net_size(max_degree)>;
 using Weights = std::array<double, net_size(max_degree)>;
 
@@ -130,9 +133,10 @@ void Patch::fit_group(Mesh& mesh, std::span<const TriangleId> now, std::span<con
   for (const int column : group.columns) linear.push_back(linear_of(column, of_face, moments));
   thread_local std::vector<double> old_rest;  // per element: n_ x columns
   old_rest.assign(elements_.size() * at(n_ * columns), 0.0);
-  thread_local std::vector<Range> values, rests;  // of the old control values and residuals
+  thread_local std::vector<Range> values, rests, trends;  // of old control values, residuals, linear functions
   values.assign(at(columns), {HUGE_VAL, -HUGE_VAL});
   rests.assign(at(columns), {HUGE_VAL, -HUGE_VAL});
+  trends.assign(at(columns), {HUGE_VAL, -HUGE_VAL});
   Net net;
   Weights weights;
   const std::span<const Point> net_points{net.data(), at(n_)};
@@ -146,10 +150,11 @@ void Patch::fit_group(Mesh& mesh, std::span<const TriangleId> now, std::span<con
     for (int k = 0; k < n_; ++k)
       for (int c = 0; c < columns; ++c) {
         const double u = rows(old)[at(k * width_ + group.columns[at(c)])];
-        const double r = u - evaluate(linear[at(c)], net[at(k)]);
+        const double l = evaluate(linear[at(c)], net[at(k)]), r = u - l;
         old_rest[e * at(n_ * columns) + at(k * columns + c)] = r;
         values[at(c)] = {std::min(values[at(c)].low, u), std::max(values[at(c)].high, u)};
         rests[at(c)] = {std::min(rests[at(c)].low, r), std::max(rests[at(c)].high, r)};
+        trends[at(c)] = {std::min(trends[at(c)].low, l), std::max(trends[at(c)].high, l)};
         if (conserve) target[at(c)] += weights[at(k)] * r;
       }
   }
@@ -228,11 +233,13 @@ void Patch::fit_group(Mesh& mesh, std::span<const TriangleId> now, std::span<con
     }
   }
 
-  // What a residual may be at a place; the linear function's own value (0) is always allowed.
+  // What a residual may be at a place: within the ranges of residuals and values, or 0, the linear function's own
+  // value. In a field so rough that this function says nothing the values' range alone holds, also outside the old
+  // control points; there always is a place for the integral in it.
   const auto residual_range = [&](const Point& place, int c) {
     const double l = evaluate(linear[at(c)], place);
-    const Range& v = values[at(c)];
-    const Range& r = rests[at(c)];
+    const Range &v = values[at(c)], &r = rests[at(c)], &trend = trends[at(c)];
+    if (std::max(-r.low, r.high) > rough * (trend.high - trend.low)) return Range{v.low - l, v.high - l};
     return Range{std::min(0.0, std::max(v.low - l, r.low)), std::max(0.0, std::min(v.high - l, r.high))};
   };
 
