@@ -41,16 +41,21 @@ int main(int argc, char** argv) {
     if (app.count("--binary") == 0) binary = !options.output.ends_with(".gltf");
     OutputFile output(options.output);
     GltfWriter writer(gltf);
+    std::size_t meshes = 0, triangles = 0;
     for_each_mesh(options, [&](MeshData&& mesh, const Frame&) {
       require_mesh(mesh, true);
+      ++meshes;
+      triangles += mesh.triangle_faces.size();
       try {
         writer.add(mesh);
       } catch (const std::invalid_argument& error) {
         throw UsageError(std::string("--color: ") + error.what());
       }
     });
-    output.write(writer.finish(binary));
+    const std::string bytes = writer.finish(binary);
+    output.write(bytes);
     output.commit();
+    say_written(options, meshes, triangles, bytes.size());
     return status::done;
   });
 }

@@ -39,6 +39,7 @@ int main(int argc, char** argv) {
     write_msh(mesh, msh, text);
     output.write(text);
     output.commit();
+    say_written(options, 1, mesh.triangle_faces.size(), text.size());
     return status::done;
   });
 }

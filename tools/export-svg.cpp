@@ -61,6 +61,7 @@ int main(int argc, char** argv) {
     }
     output.write(text);
     output.commit();
+    say_written(options, 1, mesh.triangle_faces.size(), text.size());
     return status::done;
   });
 }

@@ -191,6 +191,13 @@ void say(const ToolOptions& options, const std::string& text) {
   std::fprintf(stderr, "%s: %s\n", options.tool.c_str(), text.c_str());
 }
 
+void say_written(const ToolOptions& options, std::size_t meshes, std::size_t triangles, std::size_t bytes) {
+  if (!options.verbose) return;
+  say(options, std::to_string(triangles) + " triangles" +
+                   (meshes == 1 ? "" : " in " + std::to_string(meshes) + " meshes") + ", " + std::to_string(bytes) +
+                   " bytes");
+}
+
 void for_each_mesh(const ToolOptions& options, const std::function<void(MeshData&&, const Frame&)>& use) {
   const auto use_document = [&](std::string_view text, const Frame& frame) { use(read_mesh(text), frame); };
   if (!options.takes_msh) return for_each_document(options, use_document);

@@ -71,6 +71,8 @@ int run_tool(CLI::App& app, int argc, char** argv, ToolOptions& options, const s
 
 /// "TOOL: text" on standard error, unless -q.
 void say(const ToolOptions& options, const std::string& text);
+/// With -v, what an exporter has written: how many meshes with how many elements in all, and bytes.
+void say_written(const ToolOptions& options, std::size_t meshes, std::size_t triangles, std::size_t bytes);
 
 /// One document of the input.
 struct Frame {

@@ -49,4 +49,10 @@ run 0 export-gltf a.json
 same a.glb out
 run 0 export-gltf --no-binary a.json
 same a.gltf out
+# -v says what was written.
+for tool in export-svg export-msh export-gltf; do
+  run 0 "$tool" -v disk.json
+  says ' triangles, '
+  says "$(wc -c <out) bytes"
+done
 finish
