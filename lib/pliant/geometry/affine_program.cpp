@@ -73,6 +73,12 @@ struct Basis {
     Row z{};
     for (std::size_t i = 0; i < 3; ++i)
       for (std::size_t j = 0; j < 3; ++j) z[j] += constraints.limit(members[i]) * columns[i][j];
+    // Once more with what is left, so that the three hold to rounding where they are nearly parallel.
+    Row left{};
+    for (std::size_t i = 0; i < 3; ++i)
+      left[i] = constraints.limit(members[i]) - product(constraints.row(members[i]), z);
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t j = 0; j < 3; ++j) z[j] += left[i] * columns[i][j];
     return z;
   }
   /// How `row` is combined from the members' rows.
@@ -81,17 +87,17 @@ struct Basis {
   }
 };
 
-/// The place nearest to the origin where all functions are at least `level`: half-planes one by one. A place that is
-/// known to be there bounds the answer, and is the answer when rounding leaves nothing.
-Point nearest_at_level(std::span<const AffineFunction> functions, double level, const Point& known) {
-  Point best;
+/// The place nearest to `near` where all functions are at least `level`: half-planes one by one. A place that is known
+/// to be there bounds the answer, and is the answer when rounding leaves nothing.
+Point nearest_at_level(std::span<const AffineFunction> functions, double level, const Point& near, const Point& known) {
+  Point best = near;
   for (std::size_t i = 0; i < functions.size(); ++i) {
     const AffineFunction& f = functions[i];
     if (f(best) >= level) continue;
     const double square = f.a * f.a + f.b * f.b;
     if (square == 0) return known;
     // On the line f = level: foot + s direction; the half-planes before this one leave an interval of s.
-    const Point foot = (level - f.c) / square * Point{f.a, f.b};
+    const Point foot = near + (level - f(near)) / square * Point{f.a, f.b};
     const Vector direction{-f.b, f.a};
     double low = -std::numeric_limits<double>::infinity(), high = -low;
     for (std::size_t j = 0; j < i; ++j) {
@@ -107,12 +113,12 @@ Point nearest_at_level(std::span<const AffineFunction> functions, double level, 
     if (low > high) return known;
     best = foot + std::clamp(0.0, low, high) * direction;
   }
-  return squared_length(best) < squared_length(known) ? best : known;
+  return squared_length(best - near) < squared_length(known - near) ? best : known;
 }
 
 }  // namespace
 
-AffineOptimum maximise_least(std::span<const AffineFunction> functions, double reach) {
+AffineOptimum maximise_least(std::span<const AffineFunction> functions, double reach, const Point& near) {
   assert(!functions.empty());
   const Constraints constraints(functions, reach);
   const auto least = std::min_element(functions.begin(), functions.end(),
@@ -161,7 +167,7 @@ AffineOptimum maximise_least(std::span<const AffineFunction> functions, double r
   result.value = value_at(result.place);
   if (!unique) {
     const double slack = 1e-11 * std::max(1.0, std::fabs(result.value));
-    const Point nearest = nearest_at_level(functions, result.value - slack, result.place);
+    const Point nearest = nearest_at_level(functions, result.value - slack, near, result.place);
     if (const double value = value_at(nearest); value >= result.value - 2 * slack) {
       result.place = nearest;
       result.value = value;

@@ -23,11 +23,11 @@ struct AffineOptimum {
   bool bounded;  ///< no side of the square takes part: the optimum is that of the whole plane
 };
 
-/// Maximises the least of the functions over the square |x|, |y| <= reach; of several optima the one nearest to the
-/// origin. A linear program in (x, y, value), by the dual simplex method: every step adds the function that is violated
+/// Maximises the least of the functions over the square |x|, |y| <= reach; of several optima the one nearest to `near`.
+/// A linear program in (x, y, value), by the dual simplex method: every step adds the function that is violated
 /// most and costs one pass over the functions.
 ///
 /// Requires    at least one function; coefficients of the order of 1, reach not beyond 1e6
-AffineOptimum maximise_least(std::span<const AffineFunction> functions, double reach);
+AffineOptimum maximise_least(std::span<const AffineFunction> functions, double reach, const Point& near = {});
 
 }  // namespace pliant

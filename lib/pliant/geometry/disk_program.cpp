@@ -28,9 +28,12 @@ bool contains(const ShapeFunction& f, const Meeting& at) { return f(at.place) * 
 std::optional<Meeting> meeting(const ShapeFunction& f, const ShapeFunction& g) {
   const Vector between = g.base - f.base, drift = g.v - f.v;
   const double reach_f = length(f.v), reach_g = length(g.v), reach = reach_f + reach_g;
-  const double a = reach * reach - squared_length(drift), half_b = dot(between, drift);
+  // reach^2 - |drift|^2, without cancellation where the two point in nearly opposite directions.
+  const double along = dot(f.v, g.v), product = reach_f * reach_g, across = cross(f.v, g.v);
+  const double a = 2 * (along > 0 ? product + along : across * across / (product - along));
+  const double half_b = dot(between, drift);
   const double c = reach * reach + squared_length(between);
-  if (!(a > 1e-14 * reach * reach)) return std::nullopt;  // opposite directions: never both positive
+  if (!(a > 1e-24 * reach * reach)) return std::nullopt;  // opposite directions: never both positive
   const double root = std::sqrt(half_b * half_b + a * c);
   const double level = half_b >= 0 ? (half_b + root) / a : c / (root - half_b);
   const Point from = centre(f, level);
@@ -119,7 +122,7 @@ std::optional<Meeting> meeting_of_three(const Three& three, const Meeting& below
 
 }  // namespace
 
-std::optional<DiskOptimum> maximise_least(std::span<const ShapeFunction> functions) {
+std::optional<DiskOptimum> maximise_least(std::span<const ShapeFunction> functions, DiskBasis& basis) {
   assert(!functions.empty());
   for (const ShapeFunction& f : functions)
     if (f.v == Vector{}) return std::nullopt;
@@ -134,41 +137,39 @@ std::optional<DiskOptimum> maximise_least(std::span<const ShapeFunction> functio
     return std::pair{worst, least};
   };
 
-  std::vector<std::size_t> basis{worst_at({}).first};
-  Meeting at{centre(functions[basis[0]], 1), 1};
-  DiskOptimum best{at.place, -1};
+  if (basis.count == 0) {
+    const std::size_t first = worst_at({}).first;
+    basis = {{first, 0, 0}, 1, centre(functions[first], 1), 1};
+  }
+  DiskOptimum best{basis.place, -1};
   for (int exchanges = 0; exchanges < most_exchanges; ++exchanges) {
-    const auto [entering, least] = worst_at(at.place);
-    if (least > best.value) best = {at.place, least};
-    if (least * at.level >= 1 - slack || std::find(basis.begin(), basis.end(), entering) != basis.end()) break;
+    const auto [entering, least] = worst_at(basis.place);
+    if (least > best.value) best = {basis.place, least};
+    const std::span<const std::size_t> members(basis.members.data(), basis.count);
+    if (least * basis.level >= 1 - slack || std::find(members.begin(), members.end(), entering) != members.end()) break;
 
     // The optimum of basis and newcomer has the newcomer in its basis: alone with one of the others, or with two.
     const ShapeFunction& h = functions[entering];
     const auto holds = [&](const Meeting& candidate) {
-      return std::all_of(basis.begin(), basis.end(), [&](std::size_t i) { return contains(functions[i], candidate); });
+      return std::all_of(members.begin(), members.end(),
+                         [&](std::size_t i) { return contains(functions[i], candidate); });
     };
-    std::optional<Meeting> next;
+    std::optional<DiskBasis> next;
     std::array<Meeting, 3> pairs;
-    std::vector<std::size_t> next_basis;
-    for (std::size_t i = 0; !next && i < basis.size(); ++i) {
-      const auto pair = meeting(functions[basis[i]], h);
+    for (std::size_t i = 0; !next && i < members.size(); ++i) {
+      const auto pair = meeting(functions[members[i]], h);
       if (!pair) return std::nullopt;
       pairs[i] = *pair;
-      if (!holds(*pair)) continue;
-      next = pair;
-      next_basis = {basis[i], entering};
+      if (holds(*pair)) next = {{members[i], entering, 0}, 2, pair->place, pair->level};
     }
-    for (std::size_t i = 0; !next && i < basis.size(); ++i)
-      for (std::size_t j = i + 1; !next && j < basis.size(); ++j) {
-        const Three three{&functions[basis[i]], &functions[basis[j]], &h};
+    for (std::size_t i = 0; !next && i < members.size(); ++i)
+      for (std::size_t j = i + 1; !next && j < members.size(); ++j) {
+        const Three three{&functions[members[i]], &functions[members[j]], &h};
         const auto triple = meeting_of_three(three, pairs[i].level > pairs[j].level ? pairs[i] : pairs[j]);
-        if (!triple || !holds(*triple)) continue;
-        next = triple;
-        next_basis = {basis[i], basis[j], entering};
+        if (triple && holds(*triple)) next = {{members[i], members[j], entering}, 3, triple->place, triple->level};
       }
     if (!next) break;  // rounding: the best so far
-    at = *next;
-    basis = next_basis;
+    basis = *next;
   }
   if (!(best.value > 0)) return std::nullopt;
   return best;

@@ -1,4 +1,6 @@
 #pragma once  // lib/pliant/geometry/disk_program.h: the place where the least shape of many triangles is greatest
+#include <array>
+#include <cstddef>
 #include <optional>
 #include <span>
 
@@ -23,11 +25,25 @@ struct DiskOptimum {
   double value;  ///< the least of the functions at the place
 };
 
+/// The functions that determine an optimum: where one more is added, a good start of the next solution.
+struct DiskBasis {
+  std::array<std::size_t, 3> members{};
+  std::size_t count = 0;  ///< 0: none is known
+  Point place;
+  double level = 1;  ///< 1 / tau of the members at the place
+};
+
 /// Maximises the least of the functions: a quasiconvex program whose optimum is determined by at most three of them
 /// (Amenta, Bern, Eppstein 1999). Exchanges them one by one: two disks first meet where they touch, in closed form;
-/// three circles meet where Newton's method finds it. Empty if no place has positive values (to rounding).
+/// three circles meet where Newton's method finds it. The value is within 1e-10 of the optimum; empty if no place has
+/// values above 1e-10.
 ///
-/// Requires    at least one function
-std::optional<DiskOptimum> maximise_least(std::span<const ShapeFunction> functions);
+/// Requires    at least one function; sizes of the order of 1; `basis` is empty, or what the program left behind when
+///             it was solved with the first of these functions
+std::optional<DiskOptimum> maximise_least(std::span<const ShapeFunction> functions, DiskBasis& basis);
+inline std::optional<DiskOptimum> maximise_least(std::span<const ShapeFunction> functions) {
+  DiskBasis basis;
+  return maximise_least(functions, basis);
+}
 
 }  // namespace pliant

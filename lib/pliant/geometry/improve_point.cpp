@@ -7,8 +7,9 @@
 #include <optional>
 #include <vector>
 
-#include "pliant/geometry/control_net.h"
+#include "pliant/geometry/bernstein.h"
 #include "pliant/geometry/disk_program.h"
+#include "pliant/geometry/jacobian_terms.h"
 #include "pliant/geometry/optimal_placement.h"
 #include "pliant/geometry/placement_star.h"
 #include "pliant/geometry/shape_bounds.h"
@@ -16,8 +17,11 @@
 namespace pliant {
 namespace {
 
-constexpr int most_rounds = 12;       // of cuts
-constexpr double near_enough = 2e-3;  // relative to the optimum
+using Outcome = Placement::Outcome;
+using Program = Placement::Program;
+
+constexpr int most_rounds = 60;        // of cuts
+constexpr double least_width = 1e-10;  // what doubles allow
 
 /// tau as a function of the place q where the Jacobian's columns are fixed + q * rate (along xi2, xi3). Empty where
 /// they hardly depend on q.
@@ -29,31 +33,33 @@ std::optional<ShapeFunction> shape_function(const Vector& fixed_2, const Vector&
   const double n1 = rate_2, n2 = root * (2 * rate_3 - rate_2);
   const double n = n1 * n1 + n2 * n2;
   if (n <= 1e-20) return std::nullopt;
-  return ShapeFunction{(n1 * a1 + n2 * a2) / -n, perpendicular(n2 * a1 - n1 * a2) / n};
+  const double by = 1 / n;
+  return ShapeFunction{-by * (n1 * a1 + n2 * a2), by * perpendicular(n2 * a1 - n1 * a2)};
 }
 
-/// What the pointwise shape of the elements depends on; cuts are points xi.
+/// What the pointwise shape of the elements depends on; cuts are points xi. Memory is reused from call to call.
 class ElementShapes {
  public:
-  explicit ElementShapes(PlacementStar& star) : star_(star), rows_(star.count()) {
-    for (std::size_t e = 0; e < star.count(); ++e) {
-      const auto net = star.net(e);
-      for (std::size_t n = 0; n < net.size(); ++n)
-        rows_[e].insert(rows_[e].end(), {net[n].x, net[n].y, static_cast<int>(n) == star.moving(e) ? 1.0 : 0.0});
-      sample(e);
-    }
+  std::vector<ShapeFunction> functions;
+  double cap;  ///< the least tau found at points where it does not depend on the place
+
+  void begin(PlacementStar& star, double width) {
+    star_ = &star;
+    width_ = width;
+    terms_ = &JacobianTerms::of(star.degree());
+    worst_.resize(star.count());
+    functions.clear();
+    cap = 1;
+    for (std::size_t e = 0; e < star.count(); ++e) sample(e);
   }
 
-  std::vector<ShapeFunction> functions;
-
-  /// The least shape with the point at a place of the plane; every element's worst point is kept for `cut`.
-  ShapeBounds at(const Point& world_place) {
-    worst_.clear();
+  /// The least shape with the point at a place; every element's worst point is kept for `cut`.
+  ShapeBounds at(const Point& place) {
     ShapeBounds least{1, 1, {}};
-    for (std::size_t e = 0; e < star_.count(); ++e) {
-      const ShapeBounds bounds = least_shape(star_.degree(), star_.world_net(e, world_place), near_enough / 4);
-      worst_.push_back(bounds);
-      least = {std::min(least.lower, bounds.lower), std::min(least.upper, bounds.upper), bounds.worst};
+    for (std::size_t e = 0; e < worst_.size(); ++e) {
+      worst_[e] = least_shape(star_->degree(), star_->net(e, place), width_);
+      least.lower = std::min(least.lower, worst_[e].lower);
+      least.upper = std::min(least.upper, worst_[e].upper);
     }
     return least;
   }
@@ -62,63 +68,89 @@ class ElementShapes {
   bool cut(double value) {
     const std::size_t before = functions.size();
     for (std::size_t e = 0; e < worst_.size(); ++e)
-      if (worst_[e].upper < value) add(e, worst_[e].worst);
+      if (worst_[e].upper < value && !add(e, worst_[e].worst)) cap = std::min(cap, worst_[e].upper);
     return functions.size() > before;
   }
 
  private:
-  void add(std::size_t e, const Barycentric& xi) {
-    std::array<double, 3> value, along_2, along_3;
-    evaluate_net(star_.degree(), 3, rows_[e], xi, value, along_2, along_3);
-    if (const auto f = shape_function({along_2[0], along_2[1]}, {along_3[0], along_3[1]}, along_2[2], along_3[2]))
-      functions.push_back(*f);
+  bool add(std::size_t e, const Barycentric& xi) {
+    const int p = star_->degree(), moving = star_->moving(e);
+    const std::span<const Point> net = star_->net(e, {});
+    std::array<double, max_partials> basis;
+    if (p == 2)
+      std::copy_n(xi.begin(), 3, basis.begin());
+    else
+      bernstein_basis(p - 1, xi, basis);
+    Vector along_2, along_3;
+    double rate_2 = 0, rate_3 = 0;
+    for (std::size_t m = 0; m < terms_->partials.size(); ++m) {
+      const auto& [first, second, third] = terms_->partials[m];
+      const double b = basis[m];
+      const Point& from = net[static_cast<std::size_t>(first)];
+      along_2 += b * (net[static_cast<std::size_t>(second)] - from);
+      along_3 += b * (net[static_cast<std::size_t>(third)] - from);
+      rate_2 += b * ((second == moving) - (first == moving));
+      rate_3 += b * ((third == moving) - (first == moving));
+    }
+    const auto f = shape_function(along_2, along_3, rate_2, rate_3);
+    if (f) functions.push_back(*f);
+    return f.has_value();
   }
 
   /// A first choice: the nodes of the element's own degree, and the centre.
   void sample(std::size_t e) {
-    const int p = star_.degree();
+    const int p = star_->degree();
     if (p > 1) {  // on a straight element tau is the same everywhere
       const NetLayout& layout = NetLayout::of(p);
+      const double by = 1.0 / p;
       for (int n = 0; n < layout.size(); ++n) {
-        const auto [i, j, k] = layout.exponents(n);
-        add(e, {static_cast<double>(i) / p, static_cast<double>(j) / p, static_cast<double>(k) / p});
+        const auto& [i, j, k] = layout.exponents(n);
+        add(e, {i * by, j * by, k * by});
       }
     }
     add(e, {1.0 / 3, 1.0 / 3, 1.0 / 3});
   }
 
-  PlacementStar& star_;
-  std::vector<std::vector<double>> rows_;
+  PlacementStar* star_ = nullptr;
+  const JacobianTerms* terms_ = nullptr;
+  double width_ = 0;
   std::vector<ShapeBounds> worst_;
 };
 
-Placement improve_elements(PlacementStar& star, const Point& start) {
-  ElementShapes shapes(star);
-  const ShapeBounds at_start = shapes.at(start);
-  Placement best{star.is_certified(start) ? Placement::Outcome::placed : Placement::Outcome::stuck, start,
-                 at_start.lower};
+Placement improve_elements(PlacementStar& star, const Point& start, double accuracy) {
+  thread_local ElementShapes shapes;
+  shapes.begin(star, std::max(accuracy / 4, 1e-11));
+  const ShapeBounds at_start = shapes.at(star.local(start));
+  Placement best{Outcome::stuck, start, at_start.lower, Program::shape};
   // What would be gained must exceed what is not known of the start.
-  double to_beat =
-      best.outcome == Placement::Outcome::placed ? at_start.upper : -std::numeric_limits<double>::infinity();
+  double to_beat = -std::numeric_limits<double>::infinity();
+  if (star.is_certified(start)) {
+    best.outcome = Outcome::placed;
+    to_beat = at_start.upper;
+  }
   shapes.cut(2);
+  DiskBasis basis;
   for (int round = 0; round < most_rounds && !shapes.functions.empty(); ++round) {
-    const auto optimum = maximise_least(shapes.functions);
-    if (!optimum || optimum->value <= to_beat) break;
+    const auto optimum = maximise_least(shapes.functions, basis);
+    if (!optimum) break;
+    const double most = std::min(optimum->value, shapes.cap), width = std::max(accuracy * most, least_width);
+    if (most <= to_beat || (best.outcome == Outcome::placed && most <= best.value + width)) break;
     const Point place = star.world(optimum->place);
-    const ShapeBounds there = shapes.at(place);
+    const ShapeBounds there = shapes.at(star.local(place));
     if (there.lower > to_beat && star.is_certified(place)) {
-      best = {Placement::Outcome::placed, place, there.lower};
+      best = {Outcome::placed, place, there.lower, Program::shape};
       to_beat = there.lower;
     }
-    if (there.upper >= optimum->value * (1 - near_enough) || !shapes.cut(optimum->value * (1 - near_enough))) break;
+    if (there.lower >= most - width || !shapes.cut(optimum->value - width / 2)) break;
   }
   return best;
 }
 
 Placement improve_control_mesh(PlacementStar& star, const Point& start) {
-  std::vector<ShapeFunction> functions;
+  thread_local std::vector<ShapeFunction> functions;
+  functions.clear();
   for (std::size_t e = 0; e < star.count(); ++e) {
-    const auto net = star.net(e);
+    const auto net = star.net(e, {});
     star.for_control_triangles(e, [&](const std::array<int, 3>& corners, std::size_t which) {
       // The moving corner taken as the first: both columns fall by q.
       const Point& second = net[static_cast<std::size_t>(corners[(which + 1) % 3])];
@@ -126,29 +158,53 @@ Placement improve_control_mesh(PlacementStar& star, const Point& start) {
       functions.push_back(*shape_function(second, third, -1, -1));
     });
   }
-  const auto least = [&functions](const Point& q) {
+  const auto least = [&star](const Point& world_place) {
+    const Point q = star.local(world_place);
     double value = 1;
     for (const ShapeFunction& f : functions) value = std::min(value, f(q));
     return value;
   };
-  Placement best{star.is_certified(start) ? Placement::Outcome::placed : Placement::Outcome::stuck, start, least({})};
-  const auto optimum = maximise_least(functions);
-  if (!optimum || (optimum->value <= best.value && best.outcome == Placement::Outcome::placed)) return best;
-  // Elements may be tangled there, though their control triangles are not. On the way back the least shape falls, but
-  // from a start that is valid it stays above the start's.
-  Point place = optimum->place;
-  for (int halvings = 0; halvings < 8; ++halvings, place = place / 2)
-    if (star.is_certified(star.world(place))) return {Placement::Outcome::placed, star.world(place), least(place)};
+  Placement best{star.is_certified(start) ? Outcome::placed : Outcome::stuck, start, least(start), Program::shape};
+  DiskBasis basis;
+  const auto optimum = maximise_least(functions, basis);
+  if (!optimum || (best.outcome == Outcome::placed && optimum->value <= best.value + least_width)) return best;
+  const Point goal = star.world(optimum->place);
+  if (star.is_certified(goal)) return {Outcome::placed, goal, least(goal), Program::shape};
+  // Elements may be tangled there, though their control triangles are not. Valid places are a convex set, and on the
+  // way from one that has less shape than the goal the shape rises.
+  if (best.outcome != Outcome::placed) {
+    best = untangle_point(star.degree(), star.elements(), start);
+    if (best.outcome != Outcome::placed) return best;
+    best.program = Program::shape;
+    best.value = least(best.place);
+  }
+  const Point from = best.place;
+  double low = 0, high = 1;
+  for (int halvings = 0; halvings < 8; ++halvings) {
+    const double middle = (low + high) / 2;
+    const Point place = from + middle * (goal - from);
+    if (!star.is_certified(place)) {
+      high = middle;
+      continue;
+    }
+    low = middle;
+    if (const double value = least(place); value > best.value) best = {Outcome::placed, place, value, Program::shape};
+  }
   return best;
 }
 
 }  // namespace
 
 Placement improve_point(int degree, std::span<const PlacementElement> elements, const Point& start,
-                        PlacementMeasure measure) {
+                        PlacementMeasure measure, double accuracy) {
   assert(!elements.empty());
-  PlacementStar star(degree, elements, start);
-  return measure == PlacementMeasure::element ? improve_elements(star, start) : improve_control_mesh(star, start);
+  thread_local PlacementStar star;
+  star.begin(degree, elements);
+  const Placement best = measure == PlacementMeasure::element ? improve_elements(star, start, accuracy)
+                                                              : improve_control_mesh(star, start);
+  return best.outcome == Outcome::placed || best.program == Program::area
+             ? best
+             : untangle_point(degree, elements, start, measure);
 }
 
 }  // namespace pliant

@@ -19,25 +19,51 @@ struct Placement {
     hopeless,  ///< proved: no place makes all of them valid
     stuck      ///< neither could be shown within the cuts allowed
   };
+  enum class Program {
+    shape,  ///< `value` is the least tau
+    area    ///< `value` is the least coefficient of det J, or control triangle, by scale
+  };
   Outcome outcome;
   Point place;
-  double value;  ///< untangle: least coefficient of det J over element scale; improve: min tau over the elements
+  double value;
+  Program program;
 };
 
 /// A place that makes all elements valid: maximises the least Bernstein coefficient of det J, each element's divided by
-/// its scale, over the elements; every coefficient is affine in the point, so this is a linear program in (x, y,
-/// least), with at most three active constraints. Coefficients of subdivided pieces are added as cuts until the point
-/// is certified or proved hopeless. Design: optimal placement of one control point; Amenta, Bern, Eppstein (1999).
+/// the square of its size (the diagonal of the box of its fixed control points), over the elements; every coefficient
+/// is affine in the point, so this is a linear program in (x, y, least), with at most three active constraints. Where
+/// its optimum is not certified, the pieces whose coefficients hold it down are bisected, until the optimum is
+/// certified or proved hopeless. `value` is that of the last program, at most 1e-10 below its optimum: a lower bound of
+/// det J by scale at the place, and without cuts the optimum over the coefficients of det J itself. Places are looked
+/// for as far as four times the half extent of the fixed control points from their middle; ties: nearest to `start`.
+/// Design: optimal placement of one control point; Amenta, Bern, Eppstein (1999).
+///
+/// control_mesh: the least area of a control triangle that the point is a corner of, by the square of half the extent
+/// of the star; `stuck` where its best place leaves an element that is not certified.
 ///
 /// `most_pieces` bounds the subdivision: a few are enough where the point is one of several that move in turn, and the
 /// outcome `stuck` is no verdict.
 Placement untangle_point(int degree, std::span<const PlacementElement> elements, const Point& start,
                          PlacementMeasure measure = PlacementMeasure::element, int most_pieces = 400);
 
-/// From a valid place, maximises min tau(xi) over the elements: {tau(xi) >= t} is a disk of positions for each xi, and
-/// xi are added as cuts. Never returns a place that is worse than `start`, and every element is certified at the place.
-/// Ties: nearest to `start`.
+/// How near to its optimum improve_point comes by default, relative to the optimum.
+inline constexpr double placement_accuracy = 2e-3;
+
+/// Maximises min tau(xi) over the elements and their points xi: {tau(xi) >= t}, t > 0, is a disk of places for each xi,
+/// and the worst xi are added as cuts. `value` is a lower bound of min tau at the place, and no place of the plane has
+/// more than value + max(accuracy * value, 1e-10); with doubles that means 1e-10 at best, and at p > 2 as far as a few
+/// hundred bisections an element lead. A point xi whose tau does not depend on the place may be the worst of all;
+/// then any place is an optimum that keeps the others above it.
+///
+/// From a valid start the place is never worse than `start`, which stays bit for bit where it is within the accuracy.
+/// The start need not be valid. Where no place has a positive tau, or none was found, the result is that of
+/// untangle_point, and `program` says so. Every element is certified at a place that is `placed`.
+///
+/// control_mesh: the least tau of the control triangles that the point is a corner of, to 1e-10; where that place
+/// leaves an element that is not certified, the farthest certified place on the straight way to it (within 1/256 of the
+/// way) from the start, or, from a start that is not valid, from the best place of the area program on the true
+/// elements.
 Placement improve_point(int degree, std::span<const PlacementElement> elements, const Point& start,
-                        PlacementMeasure measure = PlacementMeasure::element);
+                        PlacementMeasure measure = PlacementMeasure::element, double accuracy = placement_accuracy);
 
 }  // namespace pliant

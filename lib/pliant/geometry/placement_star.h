@@ -12,39 +12,48 @@
 
 namespace pliant {
 
-/// The elements in coordinates in which the moving point starts at the origin and the farthest fixed control point has
-/// the distance 1: what is solved for is of the order of 1.
+/// The elements in coordinates in which the fixed control points fill the square |x|, |y| <= 1 in one direction at
+/// least: what is solved for is of the order of 1, wherever the moving point starts. Memory is reused from call to
+/// call.
 class PlacementStar {
  public:
-  PlacementStar(int degree, std::span<const PlacementElement> elements, const Point& start)
-      : degree_(degree), elements_(elements), start_(start) {
+  void begin(int degree, std::span<const PlacementElement> elements) {
+    degree_ = degree;
+    elements_ = elements;
+    Box box;
     for (const PlacementElement& element : elements)
-      for (const Point& p : element.net) size_ = std::max(size_, length(p - start));
-    if (size_ == 0) size_ = 1;
+      for (std::size_t n = 0; n < points(); ++n)
+        if (static_cast<int>(n) != element.moving) box.extend(element.net[n]);
+    middle_ = 0.5 * box.low + 0.5 * box.high;
+    size_ = std::max(box.high.x - middle_.x, box.high.y - middle_.y);
+    if (!(size_ > 0)) size_ = 1;
+    nets_.resize(elements.size() * points());
+    auto to = nets_.begin();
+    for (const PlacementElement& element : elements)
+      for (std::size_t n = 0; n < points(); ++n) *to++ = local(element.net[n]);
   }
 
   int degree() const { return degree_; }
   std::size_t count() const { return elements_.size(); }
   int moving(std::size_t e) const { return elements_[e].moving; }
-  double size() const { return size_; }
   std::span<const PlacementElement> elements() const { return elements_; }
 
+  Point local(const Point& world_place) const { return (world_place - middle_) / size_; }
+  Point world(const Point& place) const { return middle_ + size_ * place; }
   /// The net of element e in these coordinates, the moving point at `place`.
-  std::span<const Point> net(std::size_t e, const Point& place = {}) {
-    for (std::size_t n = 0; n < points(); ++n) buffer_[n] = (elements_[e].net[n] - start_) / size_;
-    buffer_[static_cast<std::size_t>(elements_[e].moving)] = place;
-    return {buffer_.data(), points()};
+  std::span<const Point> net(std::size_t e, const Point& place) {
+    Point* const net = nets_.data() + e * points();
+    net[elements_[e].moving] = place;
+    return {net, points()};
   }
-  Point world(const Point& place) const { return start_ + size_ * place; }
-  /// The net of element e as stored, the moving point at `place`.
-  std::span<const Point> world_net(std::size_t e, const Point& place) {
-    std::copy_n(elements_[e].net.begin(), points(), buffer_.begin());
-    buffer_[static_cast<std::size_t>(elements_[e].moving)] = place;
-    return {buffer_.data(), points()};
-  }
-  bool is_certified(const Point& world_place) {
-    for (std::size_t e = 0; e < count(); ++e)
-      if (certify(degree_, world_net(e, world_place)) != Validity::valid) return false;
+  /// Every element as stored is valid with the moving point at a place of the plane.
+  bool is_certified(const Point& world_place) const {
+    std::array<Point, net_size(max_degree)> net;
+    for (const PlacementElement& element : elements_) {
+      std::copy_n(element.net.begin(), points(), net.begin());
+      net[static_cast<std::size_t>(element.moving)] = world_place;
+      if (certify(degree_, {net.data(), points()}) != Validity::valid) return false;
+    }
     return true;
   }
 
@@ -68,11 +77,11 @@ class PlacementStar {
  private:
   std::size_t points() const { return static_cast<std::size_t>(net_size(degree_)); }
 
-  int degree_;
+  int degree_ = 1;
   std::span<const PlacementElement> elements_;
-  Point start_;
-  double size_ = 0;
-  std::array<Point, net_size(max_degree)> buffer_;
+  Point middle_;
+  double size_ = 1;
+  std::vector<Point> nets_;
 };
 
 }  // namespace pliant

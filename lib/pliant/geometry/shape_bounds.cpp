@@ -11,11 +11,13 @@
 
 #include "pliant/geometry/bisect_net.h"
 #include "pliant/geometry/jacobian_terms.h"
+#include "pliant/geometry/quadratic_shape.h"
 
 namespace pliant {
 namespace {
 
 constexpr std::size_t at(int n) { return static_cast<std::size_t>(n); }
+constexpr double least_upper = 1e-3;  // below it the width is relative to this
 
 /// One coefficient of sqrt(3) det J, and of |chi_2|^2 - chi_2.chi_3 + |chi_3|^2: tau is the first over the second.
 struct Ratio {
@@ -34,16 +36,27 @@ struct Piece {
   std::array<Barycentric, 3> corners;
 };
 
+/// A power of two that brings the net's extent to about 1: squares neither overflow nor underflow.
+double scale_of(std::span<const Point> net) {
+  Box box;
+  for (const Point& p : net) box.extend(p);
+  const double extent = std::max(box.high.x - box.low.x, box.high.y - box.low.y);
+  if (!(extent > 0 && std::isfinite(extent))) return 1;
+  if (extent > 0x1p-100 && extent < 0x1p100) return 1;
+  int exponent = 0;
+  std::frexp(extent, &exponent);
+  return std::ldexp(1, -exponent);
+}
+
+/// Memory is reused from call to call.
 class Enclosure {
  public:
-  Enclosure(int degree, std::span<const Point> net) : degree_(2 * (degree - 1)), size_(at(net_size(degree_))) {
-    Box box;
-    for (const Point& p : net) box.extend(p);
-    const double extent = std::max(box.high.x - box.low.x, box.high.y - box.low.y);
-    int exponent = 0;
-    if (extent > 0 && std::isfinite(extent)) std::frexp(extent, &exponent);
-    const double scale = std::ldexp(1, -exponent);  // squares neither overflow nor underflow
-
+  void begin(int degree, std::span<const Point> net) {
+    degree_ = 2 * (degree - 1);
+    size_ = at(net_size(degree_));
+    pieces_.clear();
+    upper_ = std::numeric_limits<double>::infinity();
+    const double scale = scale_of(net);
     const JacobianTerms& terms = JacobianTerms::of(degree);
     std::array<Vector, max_partials> along_2, along_3;
     partial_differences(terms, net, along_2, along_3);
@@ -51,7 +64,7 @@ class Enclosure {
       along_2[m] *= scale;
       along_3[m] *= scale;
     }
-    const auto order = lattice_order(degree_);
+    const std::vector<int>& order = lattice_order(degree_);
     coefficients_.assign(size_, {0, 0});
     double greatest = 0;
     for (const JacobianTerm& term : terms.terms) {
@@ -70,7 +83,7 @@ class Enclosure {
   ShapeBounds refine(double relative_width, int most_pieces) {
     for (int pieces = 1; pieces < most_pieces; ++pieces) {
       const double lower = pieces_.front().lower;
-      if (size_ == 1 || upper_ - lower <= std::max(relative_width * std::fabs(upper_), 1e-6)) break;
+      if (size_ == 1 || upper_ - lower <= relative_width * std::max(std::fabs(upper_), least_upper)) break;
       std::pop_heap(pieces_.begin(), pieces_.end(), later);
       const Piece parent = pieces_.back();
       pieces_.pop_back();
@@ -111,20 +124,48 @@ class Enclosure {
     std::push_heap(pieces_.begin(), pieces_.end(), later);
   }
 
-  int degree_;
-  std::size_t size_;
+  int degree_ = 0;
+  std::size_t size_ = 1;
   std::vector<Ratio> coefficients_, row_;
   std::vector<Piece> pieces_;
   double error_ = 0;
-  double upper_ = std::numeric_limits<double>::infinity();
+  double upper_ = 0;
   Barycentric worst_{};
 };
+
+/// p = 2: numerator and denominator of tau are quadratic forms.
+ShapeBounds least_quadratic_shape(std::span<const Point> net) {
+  const double scale = scale_of(net);
+  // Columns of T, up to a common factor, at the three corners of the linear net; T = J E^-1, E the map from the unit
+  // right triangle to the equilateral one.
+  std::array<Vector, 3> u{net[3] - net[0], net[1] - net[3], net[4] - net[5]};
+  std::array<Vector, 3> w{net[5] - net[0], net[4] - net[3], net[2] - net[5]};
+  double greatest = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    u[i] *= scale;
+    w[i] = std::numbers::inv_sqrt3 * (2 * scale * w[i] - u[i]);
+    greatest = std::max(greatest, squared_length(u[i]) + squared_length(w[i]));
+  }
+  QuadraticForm determinant, square;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t j = i == 2 ? 0 : i + 1;
+    determinant[i] = 2 * cross(u[i], w[i]);
+    square[i] = squared_length(u[i]) + squared_length(w[i]);
+    determinant[3 + i] = cross(u[i], w[j]) + cross(u[j], w[i]);
+    square[3 + i] = dot(u[i], u[j]) + dot(w[i], w[j]);
+  }
+  return least_ratio(determinant, square, 8 * std::numeric_limits<double>::epsilon() * greatest);
+}
 
 }  // namespace
 
 ShapeBounds least_shape(int degree, std::span<const Point> net, double relative_width, int most_pieces) {
   assert(1 <= degree && degree <= max_degree && net.size() >= at(net_size(degree)));
-  return Enclosure(degree, net.first(at(net_size(degree)))).refine(relative_width, most_pieces);
+  net = net.first(at(net_size(degree)));
+  if (degree == 2) return least_quadratic_shape(net);
+  thread_local Enclosure enclosure;
+  enclosure.begin(degree, net);
+  return enclosure.refine(relative_width, most_pieces);
 }
 
 }  // namespace pliant

@@ -14,7 +14,7 @@
 namespace pliant {
 namespace {
 
-constexpr double reach = 4;          // places looked at: as far as four times the farthest fixed control point
+constexpr double reach = 4;          // places looked at: as far as four times the half extent of the star
 constexpr int most_rounds = 80;      // of cuts
 constexpr double proof_gap = 1e-11;  // above all rounding of coefficients of the order of 1
 
@@ -63,15 +63,15 @@ class AffineJacobians {
  private:
   void add_element(PlacementStar& star, std::size_t e) {
     std::array<double, net_size(2 * (max_degree - 1))> at_origin, along_x, along_y;
-    jacobian_net(star.degree(), star.net(e), at_origin);
     jacobian_net(star.degree(), star.net(e, {1, 0}), along_x);
     jacobian_net(star.degree(), star.net(e, {0, 1}), along_y);
+    const std::span<const Point> net = star.net(e, {0, 0});
+    jacobian_net(star.degree(), net, at_origin);
     // The element's own size, not the star's: no element is neglected because another one is large.
     Box box;
-    const auto net = star.net(e);
     for (std::size_t n = 0; n < net.size(); ++n)
       if (static_cast<int>(n) != star.moving(e)) box.extend(net[n]);
-    const double extent = box.size(), scale = extent > 0 ? 1 / (extent * extent) : 1;
+    const double extent = squared_length(box.high - box.low), scale = extent > 0 ? 1 / extent : 1;
     const std::vector<int>& order = lattice_order(degree_);
     for (std::size_t n = 0; n < size_; ++n)
       functions_[e * size_ + static_cast<std::size_t>(order[n])] = {
@@ -119,14 +119,16 @@ void find_tight(const AffineJacobians& jacobians, const AffineOptimum& optimum, 
 }
 
 Placement untangle_elements(PlacementStar& star, const Point& start, std::size_t most_pieces) {
+  constexpr auto area = Placement::Program::area;
   for (const PlacementElement& element : star.elements())
-    if (is_fixed_corner_bad(element, star.degree())) return {Placement::Outcome::hopeless, start, -1};
+    if (is_fixed_corner_bad(element, star.degree())) return {Placement::Outcome::hopeless, start, -1, area};
   thread_local AffineJacobians jacobians;
   thread_local std::vector<std::size_t> tight;
   jacobians.start(star);
-  Placement best{Placement::Outcome::stuck, start, -1};
+  const Point near = star.local(start);
+  Placement best{Placement::Outcome::stuck, start, -1, area};
   for (int round = 0; round < most_rounds; ++round) {
-    const AffineOptimum optimum = maximise_least(jacobians.functions(), reach);
+    const AffineOptimum optimum = maximise_least(jacobians.functions(), reach, near);
     const Point place = star.world(optimum.place);
     if (round == 0 || optimum.value > best.value) {
       best.place = place;
@@ -136,7 +138,7 @@ Placement untangle_elements(PlacementStar& star, const Point& start, std::size_t
     // that they are asked less and less often.
     const bool is_milestone = (round & (round - 1)) == 0;
     if ((is_milestone || optimum.value > 0) && star.is_certified(place))
-      return {Placement::Outcome::placed, place, optimum.value};
+      return {Placement::Outcome::placed, place, optimum.value, area};
     find_tight(jacobians, optimum, tight);
     const bool is_last = tight.empty() || jacobians.pieces() + tight.size() > most_pieces || round + 1 == most_rounds;
     if ((is_milestone || is_last) && is_hopeless(jacobians)) {
@@ -144,7 +146,7 @@ Placement untangle_elements(PlacementStar& star, const Point& start, std::size_t
       return best;
     }
     if (is_last) {
-      if (!is_milestone && star.is_certified(place)) return {Placement::Outcome::placed, place, optimum.value};
+      if (!is_milestone && star.is_certified(place)) return {Placement::Outcome::placed, place, optimum.value, area};
       return best;
     }
     for (const std::size_t piece : tight) jacobians.bisect(piece);
@@ -152,10 +154,11 @@ Placement untangle_elements(PlacementStar& star, const Point& start, std::size_t
   return best;
 }
 
-Placement untangle_control_mesh(PlacementStar& star) {
-  std::vector<AffineFunction> areas;
+Placement untangle_control_mesh(PlacementStar& star, const Point& start) {
+  thread_local std::vector<AffineFunction> areas;
+  areas.clear();
   for (std::size_t e = 0; e < star.count(); ++e) {
-    const auto net = star.net(e);
+    const auto net = star.net(e, {});
     star.for_control_triangles(e, [&](const std::array<int, 3>& corners, std::size_t which) {
       // Area 1/2 (b - a) x (q - a) of the fixed corners a, b and the moving q.
       const Point& a = net[static_cast<std::size_t>(corners[(which + 1) % 3])];
@@ -164,10 +167,11 @@ Placement untangle_control_mesh(PlacementStar& star) {
       areas.push_back({-side.y / 2, side.x / 2, -cross(side, a) / 2});
     });
   }
-  const AffineOptimum optimum = maximise_least(areas, reach);
+  const AffineOptimum optimum = maximise_least(areas, reach, star.local(start));
   const Point place = star.world(optimum.place);
   const bool placed = star.is_certified(place);
-  return {placed ? Placement::Outcome::placed : Placement::Outcome::stuck, place, optimum.value};
+  return {placed ? Placement::Outcome::placed : Placement::Outcome::stuck, place, optimum.value,
+          Placement::Program::area};
 }
 
 }  // namespace
@@ -175,9 +179,10 @@ Placement untangle_control_mesh(PlacementStar& star) {
 Placement untangle_point(int degree, std::span<const PlacementElement> elements, const Point& start,
                          PlacementMeasure measure, int most_pieces) {
   assert(!elements.empty());
-  PlacementStar star(degree, elements, start);
+  thread_local PlacementStar star;
+  star.begin(degree, elements);
   return measure == PlacementMeasure::element ? untangle_elements(star, start, static_cast<std::size_t>(most_pieces))
-                                              : untangle_control_mesh(star);
+                                              : untangle_control_mesh(star, start);
 }
 
 }  // namespace pliant
