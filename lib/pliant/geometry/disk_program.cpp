@@ -10,114 +10,120 @@
 namespace pliant {
 namespace {
 
-// Throughout, `level` is s = 1 / t >= 1: the disk of a function at level s has centre base + s v and radius
-// |v| sqrt(s^2 - 1), and grows with s.
-constexpr double slack = 1e-11;
+// The disk of a function f at t, {f >= t}, has centre base + v / t and radius |v| sqrt(1 / t^2 - 1); it shrinks to a
+// point at t = 1 and fills a half-plane at t = 0. Values of f are wrong by some 1e-16 however small they are.
 constexpr int most_exchanges = 60;
+constexpr double greatest_level = 1e11;  // 1 / t
+double rounding_at(double t) { return 1e-15 + 1e-12 * t; }
 
 struct Meeting {
   Point place;
-  double level;
+  double value;
 };
 
-Point centre(const ShapeFunction& f, double level) { return f.base + level * f.v; }
+bool contains(const ShapeFunction& f, const Meeting& at) {
+  return f(at.place) >= at.value - 10 * rounding_at(at.value);
+}
 
-bool contains(const ShapeFunction& f, const Meeting& at) { return f(at.place) * at.level >= 1 - 10 * slack; }
-
-/// Where the growing disks of two functions first touch: |c1 - c2| = r1 + r2 is a quadratic equation for the level.
+/// Where the disks of two functions, as t falls, first touch: |c1 - c2| = r1 + r2 is a quadratic equation for 1 / t.
 std::optional<Meeting> meeting(const ShapeFunction& f, const ShapeFunction& g) {
+  const double size_f = std::sqrt(squared_length(f.v)), size_g = std::sqrt(squared_length(g.v));
   const Vector between = g.base - f.base, drift = g.v - f.v;
-  const double reach_f = length(f.v), reach_g = length(g.v), reach = reach_f + reach_g;
-  // reach^2 - |drift|^2, without cancellation where the two point in nearly opposite directions.
-  const double along = dot(f.v, g.v), product = reach_f * reach_g, across = cross(f.v, g.v);
-  const double a = 2 * (along > 0 ? product + along : across * across / (product - along));
-  const double half_b = dot(between, drift);
-  const double c = reach * reach + squared_length(between);
-  if (!(a > 1e-24 * reach * reach)) return std::nullopt;  // opposite directions: never both positive
+  const double sizes = size_f + size_g, product = size_f * size_g;
+  // sizes^2 - |drift|^2, without cancellation where the two point in nearly opposite directions.
+  const double cosine = dot(f.v, g.v), sine = cross(f.v, g.v);
+  const double a = 2 * (cosine > 0 ? product + cosine : sine * sine / (product - cosine));
+  const double half_b = dot(between, drift), c = sizes * sizes + squared_length(between);
   const double root = std::sqrt(half_b * half_b + a * c);
   const double level = half_b >= 0 ? (half_b + root) / a : c / (root - half_b);
-  const Point from = centre(f, level);
-  return Meeting{from + reach_f / reach * (centre(g, level) - from), level};
+  if (!(level < greatest_level)) return std::nullopt;
+  // From centre to centre in the frame of v, divided by the level. The point base + level v + radius (unit vector to
+  // the other centre) is near the base where that vector is nearly -v, however great the level.
+  const Vector unit = f.v / size_f;
+  const double x = (cosine + dot(between, f.v) / level) / size_f - size_f;
+  const double y = (sine + cross(f.v, between) / level) / size_f;
+  const double way = std::sqrt(x * x + y * y), far = level * size_f;
+  const double along = x < 0 ? y * y / (way * (way - x)) : 1 + x / way, across = y / way;
+  const double less = size_f / (level + std::sqrt(std::max(0.0, level * level - 1)));
+  const Vector local{far * along - less * (x / way), (far - less) * across};
+  if (way == 0) return Meeting{f.base + level * f.v, 1 / level};
+  return Meeting{f.base + local.x * unit + local.y * perpendicular(unit), 1 / level};
 }
 
 using Three = std::array<const ShapeFunction*, 3>;
 
-/// The common point of three circles near `start`, by Newton's method on (place, level); empty unless it is the
-/// optimum, that is unless some mean of the three gradients vanishes there.
+/// Where three functions are equal near `start`, by Newton's method on (place, value); empty unless it is the optimum,
+/// that is unless some mean of the three gradients vanishes there.
 std::optional<Meeting> newton(const Three& three, Meeting at) {
   for (int steps = 0; steps < 12; ++steps) {
-    // |r|^2 - 2 s v.r + |v|^2 = 0; divided by 2 v.r the equation says 1 / tau = s, of which we take gradients.
     std::array<Vector, 3> slope;
     std::array<double, 3> value;
     for (std::size_t i = 0; i < 3; ++i) {
-      const Vector r = at.place - three[i]->base;
-      const double height = dot(three[i]->v, r);
-      if (!(height > 0)) return std::nullopt;
-      value[i] = (squared_length(r) + squared_length(three[i]->v)) / (2 * height);
-      slope[i] = (r - value[i] * three[i]->v) / height;
+      const Vector r = at.place - three[i]->base, &v = three[i]->v;
+      const double by = 2 / (squared_length(r) + squared_length(v));
+      value[i] = by * dot(v, r);
+      slope[i] = by * (v - value[i] * r);
     }
-    const Vector u = slope[1] - slope[0], v = slope[2] - slope[0];
-    const double determinant = cross(u, v);
     const double rise_1 = value[0] - value[1], rise_2 = value[0] - value[2];
-    const Vector move = Vector{rise_1 * v.y - rise_2 * u.y, rise_2 * u.x - rise_1 * v.x} / determinant;
-    if (!is_finite(move)) return std::nullopt;
-    at.place += move;
-    at.level = value[0] + dot(slope[0], move);
-    if (std::max(std::fabs(rise_1), std::fabs(rise_2)) > 1e-13 * at.level) continue;
+    const Vector u = slope[1] - slope[0], v = slope[2] - slope[0];
     const double share_1 = cross(slope[2], slope[0]), share_2 = cross(slope[0], slope[1]);
-    const double share_0 = cross(slope[1], slope[2]), sign = share_0 + share_1 + share_2;
-    const double least = std::min({share_0 * sign, share_1 * sign, share_2 * sign});
-    if (least < -1e-9 * sign * sign) return std::nullopt;
+    const double share_0 = cross(slope[1], slope[2]), sum = share_0 + share_1 + share_2;  // = cross(u, v)
+    const Vector move = Vector{rise_1 * v.y - rise_2 * u.y, rise_2 * u.x - rise_1 * v.x} / sum;
+    if (!is_finite(move) || squared_length(move) > 1e8) return std::nullopt;
+    at.place += move;
+    at.value = value[0] + dot(slope[0], move);
+    if (std::max(std::fabs(rise_1), std::fabs(rise_2)) > rounding_at(at.value)) continue;
+    const double least = std::min({share_0 * sum, share_1 * sum, share_2 * sum});
+    if (least < -1e-9 * sum * sum || !(at.value > 0)) return std::nullopt;
     return at;
   }
   return std::nullopt;
 }
 
-/// The optimum of three disks that no two of them determine. Bisection of the level comes close to it until Newton's
-/// method takes over: three disks have a point in common if one's centre, or a point where two circles cross, lies in
-/// all.
-std::optional<Meeting> meeting_of_three(const Three& three, const Meeting& below) {
-  const auto common_point = [&three](double level) -> std::optional<Point> {
-    std::array<Point, 9> candidates;
-    std::size_t count = 0;
-    const double growth = std::sqrt(std::max(0.0, level * level - 1));
+/// The optimum of three functions that no two of them determine, where Newton's method fails: Dinkelbach's method and
+/// bisection. For a given t the functions 2 v.r - t (|r|^2 + |v|^2) are affine but for a common -t |q|^2. The place
+/// where the least of them is greatest is one of seven: the summit of one, the best place where two are equal, or the
+/// place where three are; their least is positive there as long as t is less than the optimum.
+std::optional<Meeting> search_meeting(const Three& three, double most) {
+  Meeting best{{}, 0};
+  double high = most;
+  for (int steps = 0; steps < 120 && high - best.value > rounding_at(high); ++steps) {
+    const double t = steps % 2 == 0 || best.value == 0 ? (best.value + high) / 2 : best.value;
+    std::array<Vector, 3> slope;
+    std::array<double, 3> constant;
     for (std::size_t i = 0; i < 3; ++i) {
-      const ShapeFunction &f = *three[i], &g = *three[(i + 1) % 3];
-      const Point c = centre(f, level);
-      const Vector offset = centre(g, level) - c;
-      const double r = length(f.v) * growth, q = length(g.v) * growth, square = squared_length(offset);
-      candidates[count++] = c;
+      const ShapeFunction& f = *three[i];
+      slope[i] = 2 * (f.v + t * f.base);
+      constant[i] = -2 * dot(f.v, f.base) - t * (squared_length(f.base) + squared_length(f.v));
+    }
+    std::array<Point, 7> places;
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      places[count++] = slope[i] / (2 * t);
+      const std::size_t j = (i + 1) % 3;
+      const Vector difference = slope[i] - slope[j];
+      const double square = squared_length(difference);
       if (square == 0) continue;
-      const double along = (square + r * r - q * q) / (2 * square);
-      const double across = std::sqrt(std::max(0.0, r * r / square - along * along));
-      candidates[count++] = c + along * offset + across * perpendicular(offset);
-      candidates[count++] = c + along * offset - across * perpendicular(offset);
+      const Vector side = perpendicular(difference);
+      places[count++] = ((constant[j] - constant[i]) * difference + dot(slope[i], side) / (2 * t) * side) / square;
     }
-    for (std::size_t i = 0; i < count; ++i)
-      if (std::all_of(three.begin(), three.end(), [&](const ShapeFunction* f) {
-            return contains(*f, {candidates[i], level});
-          }))
-        return candidates[i];
-    return std::nullopt;
-  };
-  if (const auto at = newton(three, below)) return at;
-  double low = below.level, high = 1.25 * low;
-  std::optional<Point> found;
-  while (!(found = common_point(high))) {
-    low = high;
-    if ((high *= 3) > 1e12) return std::nullopt;
-  }
-  for (int steps = 0; steps < 60 && high - low > slack * high; ++steps) {
-    if (const auto at = steps % 4 == 0 ? newton(three, {*found, high}) : std::nullopt) return at;
-    const double middle = (low + high) / 2;
-    if (const auto place = common_point(middle)) {
-      found = place;
-      high = middle;
-    } else {
-      low = middle;
+    const Vector u = slope[1] - slope[0], v = slope[2] - slope[0];
+    const double rise_1 = constant[0] - constant[1], rise_2 = constant[0] - constant[2];
+    places[count++] = Vector{rise_1 * v.y - rise_2 * u.y, rise_2 * u.x - rise_1 * v.x} / cross(u, v);
+    double reached = -1;
+    for (std::size_t i = 0; i < count; ++i) {
+      if (!is_finite(places[i])) continue;
+      const double least = std::min({(*three[0])(places[i]), (*three[1])(places[i]), (*three[2])(places[i])});
+      reached = std::max(reached, least);
+      if (least > best.value) best = {places[i], least};
     }
+    if (reached < t - rounding_at(t))
+      high = t;
+    else if (best.value <= t + rounding_at(t) && steps % 2 == 1)
+      break;  // Dinkelbach's fixed point
   }
-  return Meeting{*found, high};
+  if (!(best.value > 0)) return std::nullopt;
+  return best;
 }
 
 }  // namespace
@@ -139,14 +145,16 @@ std::optional<DiskOptimum> maximise_least(std::span<const ShapeFunction> functio
 
   if (basis.count == 0) {
     const std::size_t first = worst_at({}).first;
-    basis = {{first, 0, 0}, 1, centre(functions[first], 1), 1};
+    basis = {{first, 0, 0}, 1, functions[first].base + functions[first].v, 1};
   }
   DiskOptimum best{basis.place, -1};
   for (int exchanges = 0; exchanges < most_exchanges; ++exchanges) {
     const auto [entering, least] = worst_at(basis.place);
     if (least > best.value) best = {basis.place, least};
     const std::span<const std::size_t> members(basis.members.data(), basis.count);
-    if (least * basis.level >= 1 - slack || std::find(members.begin(), members.end(), entering) != members.end()) break;
+    if (least >= basis.value - 2 * rounding_at(basis.value) ||
+        std::find(members.begin(), members.end(), entering) != members.end())
+      break;
 
     // The optimum of basis and newcomer has the newcomer in its basis: alone with one of the others, or with two.
     const ShapeFunction& h = functions[entering];
@@ -160,14 +168,17 @@ std::optional<DiskOptimum> maximise_least(std::span<const ShapeFunction> functio
       const auto pair = meeting(functions[members[i]], h);
       if (!pair) return std::nullopt;
       pairs[i] = *pair;
-      if (holds(*pair)) next = {{members[i], entering, 0}, 2, pair->place, pair->level};
+      if (holds(*pair)) next = {{members[i], entering, 0}, 2, pair->place, pair->value};
     }
-    for (std::size_t i = 0; !next && i < members.size(); ++i)
-      for (std::size_t j = i + 1; !next && j < members.size(); ++j) {
-        const Three three{&functions[members[i]], &functions[members[j]], &h};
-        const auto triple = meeting_of_three(three, pairs[i].level > pairs[j].level ? pairs[i] : pairs[j]);
-        if (triple && holds(*triple)) next = {{members[i], members[j], entering}, 3, triple->place, triple->level};
-      }
+    // Searches take long, and are for what Newton's method does not find.
+    for (const bool is_search : {false, true})
+      for (std::size_t i = 0; !next && i < members.size(); ++i)
+        for (std::size_t j = i + 1; !next && j < members.size(); ++j) {
+          const Three three{&functions[members[i]], &functions[members[j]], &h};
+          const Meeting& below = pairs[i].value < pairs[j].value ? pairs[i] : pairs[j];
+          const auto triple = is_search ? search_meeting(three, below.value) : newton(three, below);
+          if (triple && holds(*triple)) next = {{members[i], members[j], entering}, 3, triple->place, triple->value};
+        }
     if (!next) break;  // rounding: the best so far
     basis = *next;
   }

@@ -30,7 +30,7 @@ struct DiskBasis {
   std::array<std::size_t, 3> members{};
   std::size_t count = 0;  ///< 0: none is known
   Point place;
-  double level = 1;  ///< 1 / tau of the members at the place
+  double value = 1;  ///< of the members at the place
 };
 
 /// Maximises the least of the functions: a quasiconvex program whose optimum is determined by at most three of them

@@ -21,7 +21,8 @@ using Outcome = Placement::Outcome;
 using Program = Placement::Program;
 
 constexpr int most_rounds = 60;        // of cuts
-constexpr double least_width = 1e-10;  // what doubles allow
+constexpr int plain_rounds = 6;        // before cuts are made on the way as well
+constexpr double least_width = 5e-11;  // less is not asked for
 
 /// tau as a function of the place q where the Jacobian's columns are fixed + q * rate (along xi2, xi3). Empty where
 /// they hardly depend on q.
@@ -129,6 +130,14 @@ Placement improve_elements(PlacementStar& star, const Point& start, double accur
     to_beat = at_start.upper;
   }
   shapes.cut(2);
+  const auto look_at = [&](const Point& place) {
+    const ShapeBounds there = shapes.at(star.local(place));
+    if (there.lower > to_beat && star.is_certified(place)) {
+      best = {Outcome::placed, place, there.lower, Program::shape};
+      to_beat = there.lower;
+    }
+    return there;
+  };
   DiskBasis basis;
   for (int round = 0; round < most_rounds && !shapes.functions.empty(); ++round) {
     const auto optimum = maximise_least(shapes.functions, basis);
@@ -136,12 +145,20 @@ Placement improve_elements(PlacementStar& star, const Point& start, double accur
     const double most = std::min(optimum->value, shapes.cap), width = std::max(accuracy * most, least_width);
     if (most <= to_beat || (best.outcome == Outcome::placed && most <= best.value + width)) break;
     const Point place = star.world(optimum->place);
-    const ShapeBounds there = shapes.at(star.local(place));
-    if (there.lower > to_beat && star.is_certified(place)) {
-      best = {Outcome::placed, place, there.lower, Program::shape};
-      to_beat = there.lower;
-    }
+    const ShapeBounds there = look_at(place);
     if (there.lower >= most - width || !shapes.cut(optimum->value - width / 2)) break;
+    if (round < plain_rounds) continue;
+    // Where the worst point runs along the element, cuts at places far beyond the border of what is valid tell little:
+    // now also on the way there from the best place.
+    if (best.outcome != Outcome::placed && round == plain_rounds) {
+      const Placement valid = untangle_point(star.degree(), star.elements(), start);
+      if (valid.outcome != Outcome::placed) return valid;
+      look_at(valid.place);
+      shapes.cut(optimum->value);
+    }
+    if (best.outcome != Outcome::placed) continue;
+    look_at(0.5 * best.place + 0.5 * place);
+    shapes.cut(optimum->value - width / 2);
   }
   return best;
 }

@@ -82,6 +82,16 @@ ShapeBounds least_ratio(const QuadraticForm& numerator, const QuadraticForm& den
     bounds.upper = ratio;
     bounds.worst = lowest.at;
   }
+  // Nowhere less than t - d if numerator - (t - d) denominator is positive; d as at the worst place first.
+  const double there = value_at(denominator, bounds.worst);
+  const double width = there > 0 ? 3 * guard / there : 0;
+  if (QuadraticForm m; least >= -guard && width > 0) {
+    for (std::size_t n = 0; n < 6; ++n) m[n] = numerator[n] - (bounds.upper - width) * denominator[n];
+    if (least_value(m).value >= guard) {
+      bounds.lower = std::max(-1.0, bounds.upper - width);
+      return bounds;
+    }
+  }
   double least_below = *std::min_element(denominator.begin(), denominator.end());
   if (least_below < 0.01 * greatest_below) least_below = least_value(denominator).value;
   least_below -= rounding * greatest_below + error;
