@@ -26,7 +26,10 @@ bool contains(const ShapeFunction& f, const Meeting& at) {
 }
 
 /// Where the disks of two functions, as t falls, first touch: |c1 - c2| = r1 + r2 is a quadratic equation for 1 / t.
-std::optional<Meeting> meeting(const ShapeFunction& f, const ShapeFunction& g) {
+std::optional<Meeting> meeting(const ShapeFunction& one, const ShapeFunction& other) {
+  // The place is looked for from the smaller disk's base, which is the nearer one.
+  const bool is_ordered = squared_length(one.v) <= squared_length(other.v);
+  const ShapeFunction &f = is_ordered ? one : other, &g = is_ordered ? other : one;
   const double size_f = std::sqrt(squared_length(f.v)), size_g = std::sqrt(squared_length(g.v));
   const Vector between = g.base - f.base, drift = g.v - f.v;
   const double sizes = size_f + size_g, product = size_f * size_g;
@@ -74,7 +77,7 @@ std::optional<Meeting> newton(const Three& three, Meeting at) {
     at.value = value[0] + dot(slope[0], move);
     if (std::max(std::fabs(rise_1), std::fabs(rise_2)) > rounding_at(at.value)) continue;
     const double least = std::min({share_0 * sum, share_1 * sum, share_2 * sum});
-    if (least < -1e-9 * sum * sum || !(at.value > 0)) return std::nullopt;
+    if (least < -1e-14 * sum * sum || !(at.value > 0)) return std::nullopt;
     return at;
   }
   return std::nullopt;
@@ -117,10 +120,9 @@ std::optional<Meeting> search_meeting(const Three& three, double most) {
       reached = std::max(reached, least);
       if (least > best.value) best = {places[i], least};
     }
-    if (reached < t - rounding_at(t))
-      high = t;
-    else if (best.value <= t + rounding_at(t) && steps % 2 == 1)
-      break;  // Dinkelbach's fixed point
+    if (reached < t - rounding_at(t)) high = t;
+    if (steps % 8 == 7 && best.value > 0)
+      if (const auto at = newton(three, best)) return at;
   }
   if (!(best.value > 0)) return std::nullopt;
   return best;

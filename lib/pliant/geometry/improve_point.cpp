@@ -25,7 +25,7 @@ constexpr int plain_rounds = 6;        // before cuts are made on the way as wel
 constexpr double least_width = 5e-11;  // less is not asked for
 
 /// tau as a function of the place q where the Jacobian's columns are fixed + q * rate (along xi2, xi3). Empty where
-/// they hardly depend on q.
+/// tau changes by less than rounding over the star.
 std::optional<ShapeFunction> shape_function(const Vector& fixed_2, const Vector& fixed_3, double rate_2,
                                             double rate_3) {
   // T = J E^-1, E the map from the unit right triangle to the equilateral one.
@@ -33,7 +33,7 @@ std::optional<ShapeFunction> shape_function(const Vector& fixed_2, const Vector&
   const Vector a1 = fixed_2, a2 = root * (2 * fixed_3 - fixed_2);
   const double n1 = rate_2, n2 = root * (2 * rate_3 - rate_2);
   const double n = n1 * n1 + n2 * n2;
-  if (n <= 1e-20) return std::nullopt;
+  if (n <= 1e-24 * (squared_length(a1) + squared_length(a2))) return std::nullopt;
   const double by = 1 / n;
   return ShapeFunction{-by * (n1 * a1 + n2 * a2), by * perpendicular(n2 * a1 - n1 * a2)};
 }
