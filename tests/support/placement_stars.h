@@ -72,4 +72,23 @@ inline PlacementStar random_star(int degree, StarKind kind, double noise, std::m
   return star;
 }
 
+/// Every other one as a smoother meets it; else with much bending (inverted elements among them), squeezed to a sliver
+/// now and then, which makes constraints nearly parallel, turned, and with the point anywhere, also far outside.
+inline PlacementStar hard_star(int degree, unsigned long seed) {
+  std::mt19937_64 random(seed);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  const StarKind kind = degree == 1   ? StarKind::vertex
+                        : degree == 2 ? (random() % 4 == 0 ? StarKind::vertex : StarKind::edge)
+                                      : static_cast<StarKind>(random() % 3);
+  if (seed % 2 == 0) return random_star(degree, kind, 0.6, random);
+  PlacementStar star = random_star(degree, kind, std::exp2(2 * unit(random)), random);
+  const double squeeze = random() % 3 == 0 ? std::pow(10.0, -6 * std::fabs(unit(random))) : 1;
+  const double angle = 3 * unit(random), far = random() % 4 == 0 ? std::pow(10.0, 3 * std::fabs(unit(random))) : 0.5;
+  const Vector side{std::cos(angle), std::sin(angle)};
+  for (auto& net : star.nets)
+    for (Point& p : net) p = p.x * side + squeeze * p.y * perpendicular(side);
+  star.move({far * unit(random), far * unit(random)});
+  return star;
+}
+
 }  // namespace pliant::samples

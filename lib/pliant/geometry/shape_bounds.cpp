@@ -17,7 +17,7 @@ namespace pliant {
 namespace {
 
 constexpr std::size_t at(int n) { return static_cast<std::size_t>(n); }
-constexpr double least_upper = 1e-3;  // below it the width is relative to this
+constexpr double least_upper = 1e-6;  // below it the width is relative to this
 
 /// One coefficient of sqrt(3) det J, and of |chi_2|^2 - chi_2.chi_3 + |chi_3|^2: tau is the first over the second.
 struct Ratio {
