@@ -60,8 +60,27 @@ void improve_valid(benchmark::State& state) {
   });
 }
 
+void improve_exactly(benchmark::State& state) {
+  place_all(state, false, [](int degree, const auto& elements, const Point& start) {
+    return improve_point(degree, elements, start, PlacementMeasure::element, 1e-10);
+  });
+}
+void improve_tangled(benchmark::State& state) {
+  place_all(state, true, [](int degree, const auto& elements, const Point& start) {
+    return improve_point(degree, elements, start);
+  });
+}
+void improve_control(benchmark::State& state) {
+  place_all(state, false, [](int degree, const auto& elements, const Point& start) {
+    return improve_point(degree, elements, start, PlacementMeasure::control_mesh);
+  });
+}
+
 }  // namespace
 
 BENCHMARK(untangle_tangled)->DenseRange(2, 5)->Unit(benchmark::kMicrosecond);
 BENCHMARK(untangle_valid)->DenseRange(2, 5)->Unit(benchmark::kMicrosecond);
 BENCHMARK(improve_valid)->DenseRange(2, 5)->Unit(benchmark::kMicrosecond);
+BENCHMARK(improve_exactly)->DenseRange(2, 5)->Unit(benchmark::kMicrosecond);
+BENCHMARK(improve_tangled)->DenseRange(2, 5)->Unit(benchmark::kMicrosecond);
+BENCHMARK(improve_control)->DenseRange(2, 5)->Unit(benchmark::kMicrosecond);

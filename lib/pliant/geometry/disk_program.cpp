@@ -5,16 +5,22 @@
 #include <cassert>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace pliant {
 namespace {
 
 // The disk of a function f at t, {f >= t}, has centre base + v / t and radius |v| sqrt(1 / t^2 - 1); it shrinks to a
-// point at t = 1 and fills a half-plane at t = 0. Values of f are wrong by some 1e-16 however small they are.
+// point at t = 1 and fills a half-plane at t = 0. Values of f are wrong by some 1e-16 however small they are, and by
+// what the last place of q does to them.
 constexpr int most_exchanges = 60;
 constexpr double greatest_level = 1e11;  // 1 / t
 double rounding_at(double t) { return 1e-15 + 1e-12 * t; }
+/// The same for one function, |r|^2 + |v|^2 at the place being `square`: its slope is at most 2 / sqrt(square).
+double rounding_at(double t, const Point& place, double square) {
+  return rounding_at(t) + 1e-15 * std::sqrt((squared_length(place) + 1) / square);
+}
 
 struct Meeting {
   Point place;
@@ -22,7 +28,9 @@ struct Meeting {
 };
 
 bool contains(const ShapeFunction& f, const Meeting& at) {
-  return f(at.place) >= at.value - 10 * rounding_at(at.value);
+  const Vector r = at.place - f.base;
+  const double square = squared_length(r) + squared_length(f.v);
+  return 2 * dot(f.v, r) >= (at.value - 10 * rounding_at(at.value, at.place, square)) * square;
 }
 
 /// Where the disks of two functions, as t falls, first touch: |c1 - c2| = r1 + r2 is a quadratic equation for 1 / t.
@@ -55,15 +63,19 @@ std::optional<Meeting> meeting(const ShapeFunction& one, const ShapeFunction& ot
 
 using Three = std::array<const ShapeFunction*, 3>;
 
-/// Where three functions are equal near `start`, by Newton's method on (place, value); empty unless it is the optimum,
-/// that is unless some mean of the three gradients vanishes there.
-std::optional<Meeting> newton(const Three& three, Meeting at) {
+enum class Found { optimum, other, nothing };
+
+/// Where three functions are equal near `at`, by Newton's method on (place, value): their optimum if some mean of the
+/// three gradients vanishes there.
+Found newton(const Three& three, Meeting& at) {
   for (int steps = 0; steps < 12; ++steps) {
     std::array<Vector, 3> slope;
     std::array<double, 3> value;
+    double least_square = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < 3; ++i) {
       const Vector r = at.place - three[i]->base, &v = three[i]->v;
-      const double by = 2 / (squared_length(r) + squared_length(v));
+      const double square = squared_length(r) + squared_length(v), by = 2 / square;
+      least_square = std::min(least_square, square);
       value[i] = by * dot(v, r);
       slope[i] = by * (v - value[i] * r);
     }
@@ -72,15 +84,15 @@ std::optional<Meeting> newton(const Three& three, Meeting at) {
     const double share_1 = cross(slope[2], slope[0]), share_2 = cross(slope[0], slope[1]);
     const double share_0 = cross(slope[1], slope[2]), sum = share_0 + share_1 + share_2;  // = cross(u, v)
     const Vector move = Vector{rise_1 * v.y - rise_2 * u.y, rise_2 * u.x - rise_1 * v.x} / sum;
-    if (!is_finite(move) || squared_length(move) > 1e8) return std::nullopt;
+    if (!(squared_length(move) < 1e8)) return Found::nothing;
+    const double rounding = rounding_at(value[0], at.place, least_square);
     at.place += move;
     at.value = value[0] + dot(slope[0], move);
-    if (std::max(std::fabs(rise_1), std::fabs(rise_2)) > rounding_at(at.value)) continue;
+    if (std::max(std::fabs(rise_1), std::fabs(rise_2)) > rounding) continue;
     const double least = std::min({share_0 * sum, share_1 * sum, share_2 * sum});
-    if (least < -1e-14 * sum * sum || !(at.value > 0)) return std::nullopt;
-    return at;
+    return at.value > 0 && least >= -1e-14 * sum * sum ? Found::optimum : Found::other;
   }
-  return std::nullopt;
+  return Found::nothing;
 }
 
 /// The optimum of three functions that no two of them determine, where Newton's method fails: Dinkelbach's method and
@@ -121,8 +133,7 @@ std::optional<Meeting> search_meeting(const Three& three, double most) {
       if (least > best.value) best = {places[i], least};
     }
     if (reached < t - rounding_at(t)) high = t;
-    if (steps % 8 == 7 && best.value > 0)
-      if (const auto at = newton(three, best)) return at;
+    if (Meeting at = best; steps % 8 == 7 && best.value > 0 && newton(three, at) == Found::optimum) return at;
   }
   if (!(best.value > 0)) return std::nullopt;
   return best;
@@ -154,7 +165,7 @@ std::optional<DiskOptimum> maximise_least(std::span<const ShapeFunction> functio
     const auto [entering, least] = worst_at(basis.place);
     if (least > best.value) best = {basis.place, least};
     const std::span<const std::size_t> members(basis.members.data(), basis.count);
-    if (least >= basis.value - 2 * rounding_at(basis.value) ||
+    if (contains(functions[entering], {basis.place, basis.value}) ||
         std::find(members.begin(), members.end(), entering) != members.end())
       break;
 
@@ -178,7 +189,16 @@ std::optional<DiskOptimum> maximise_least(std::span<const ShapeFunction> functio
         for (std::size_t j = i + 1; !next && j < members.size(); ++j) {
           const Three three{&functions[members[i]], &functions[members[j]], &h};
           const Meeting& below = pairs[i].value < pairs[j].value ? pairs[i] : pairs[j];
-          const auto triple = is_search ? search_meeting(three, below.value) : newton(three, below);
+          std::optional<Meeting> triple;
+          if (is_search) {
+            triple = search_meeting(three, below.value);
+          } else {
+            const Meeting here{basis.place, basis.value};
+            Meeting at = below;
+            Found found = newton(three, at);
+            if (found == Found::nothing) found = newton(three, at = here);
+            if (found == Found::optimum) triple = at;
+          }
           if (triple && holds(*triple)) next = {{members[i], members[j], entering}, 3, triple->place, triple->value};
         }
     if (!next) break;  // rounding: the best so far

@@ -142,23 +142,25 @@ Placement improve_elements(PlacementStar& star, const Point& start, double accur
   for (int round = 0; round < most_rounds && !shapes.functions.empty(); ++round) {
     const auto optimum = maximise_least(shapes.functions, basis);
     if (!optimum) break;
-    const double most = std::min(optimum->value, shapes.cap), width = std::max(accuracy * most, least_width);
+    const double most = std::min(basis.value, shapes.cap), width = std::max(accuracy * most, least_width);
     if (most <= to_beat || (best.outcome == Outcome::placed && most <= best.value + width)) break;
     const Point place = star.world(optimum->place);
     const ShapeBounds there = look_at(place);
-    if (there.lower >= most - width || !shapes.cut(optimum->value - width / 2)) break;
+    if (there.lower >= most - width || !shapes.cut(basis.value - width / 2)) break;
     if (round < plain_rounds) continue;
     // Where the worst point runs along the element, cuts at places far beyond the border of what is valid tell little:
     // now also on the way there from the best place.
     if (best.outcome != Outcome::placed && round == plain_rounds) {
       const Placement valid = untangle_point(star.degree(), star.elements(), start);
-      if (valid.outcome != Outcome::placed) return valid;
-      look_at(valid.place);
-      shapes.cut(optimum->value);
+      if (valid.outcome == Outcome::hopeless) return valid;
+      if (valid.outcome == Outcome::placed) {
+        look_at(valid.place);
+        shapes.cut(basis.value);
+      }
     }
     if (best.outcome != Outcome::placed) continue;
     look_at(0.5 * best.place + 0.5 * place);
-    shapes.cut(optimum->value - width / 2);
+    shapes.cut(basis.value - width / 2);
   }
   return best;
 }

@@ -16,7 +16,7 @@ enum class PlacementMeasure { element, control_mesh };  ///< true measures, or t
 struct Placement {
   enum class Outcome {
     placed,    ///< `place` makes every element certified valid
-    hopeless,  ///< proved: no place makes all of them valid
+    hopeless,  ///< proved: no place makes all of them valid (none within 1000 extents of the star)
     stuck      ///< neither could be shown within the cuts allowed
   };
   enum class Program {

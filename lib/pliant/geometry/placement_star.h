@@ -2,6 +2,7 @@
               // layer)
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -24,9 +25,18 @@ class PlacementStar {
     for (const PlacementElement& element : elements)
       for (std::size_t n = 0; n < points(); ++n)
         if (static_cast<int>(n) != element.moving) box.extend(element.net[n]);
-    middle_ = 0.5 * box.low + 0.5 * box.high;
-    size_ = std::max(box.high.x - middle_.x, box.high.y - middle_.y);
-    if (!(size_ > 0)) size_ = 1;
+    // Neither shift nor scale rounds: a shift is by much more than the extent, or none, and the scale a power of two.
+    const Point middle = 0.5 * box.low + 0.5 * box.high;
+    const double half = std::max(box.high.x - middle.x, box.high.y - middle.y);
+    size_ = 1;
+    if (half > 0 && std::isfinite(half)) {
+      int exponent = 0;
+      std::frexp(half, &exponent);
+      size_ = std::ldexp(1, std::clamp(exponent, -1000, 1000));
+    }
+    half_ = half / size_;
+    origin_ = {std::fabs(middle.x) < 2 * half ? 0 : middle.x, std::fabs(middle.y) < 2 * half ? 0 : middle.y};
+    middle_ = (middle - origin_) / size_;
     nets_.resize(elements.size() * points());
     auto to = nets_.begin();
     for (const PlacementElement& element : elements)
@@ -38,8 +48,11 @@ class PlacementStar {
   int moving(std::size_t e) const { return elements_[e].moving; }
   std::span<const PlacementElement> elements() const { return elements_; }
 
-  Point local(const Point& world_place) const { return (world_place - middle_) / size_; }
-  Point world(const Point& place) const { return middle_ + size_ * place; }
+  /// Of the box of the fixed control points: its middle, and the greater half side (0.5 to 1, or 0).
+  const Point& middle() const { return middle_; }
+  double half() const { return half_; }
+  Point local(const Point& world_place) const { return (world_place - origin_) / size_; }
+  Point world(const Point& place) const { return origin_ + size_ * place; }
   /// The net of element e in these coordinates, the moving point at `place`.
   std::span<const Point> net(std::size_t e, const Point& place) {
     Point* const net = nets_.data() + e * points();
@@ -79,8 +92,8 @@ class PlacementStar {
 
   int degree_ = 1;
   std::span<const PlacementElement> elements_;
-  Point middle_;
-  double size_ = 1;
+  Point origin_, middle_;
+  double size_ = 1, half_ = 1;
   std::vector<Point> nets_;
 };
 

@@ -17,7 +17,7 @@ namespace pliant {
 namespace {
 
 constexpr std::size_t at(int n) { return static_cast<std::size_t>(n); }
-constexpr double least_upper = 1e-6;  // below it the width is relative to this
+constexpr double least_width = 1e-11;  // less is not asked for
 
 /// One coefficient of sqrt(3) det J, and of |chi_2|^2 - chi_2.chi_3 + |chi_3|^2: tau is the first over the second.
 struct Ratio {
@@ -83,7 +83,7 @@ class Enclosure {
   ShapeBounds refine(double relative_width, int most_pieces) {
     for (int pieces = 1; pieces < most_pieces; ++pieces) {
       const double lower = pieces_.front().lower;
-      if (size_ == 1 || upper_ - lower <= relative_width * std::max(std::fabs(upper_), least_upper)) break;
+      if (size_ == 1 || upper_ - lower <= std::max(relative_width * std::fabs(upper_), least_width)) break;
       std::pop_heap(pieces_.begin(), pieces_.end(), later);
       const Piece parent = pieces_.back();
       pieces_.pop_back();
@@ -133,28 +133,89 @@ class Enclosure {
   Barycentric worst_{};
 };
 
-/// p = 2: numerator and denominator of tau are quadratic forms.
-ShapeBounds least_quadratic_shape(std::span<const Point> net) {
+/// p = 2: the columns of T, up to a common factor, at the corners of a piece; in between they are linear.
+struct LinearPiece {
+  std::array<Vector, 3> u, w;
+  std::array<Barycentric, 3> corners;
+  ShapeBounds bounds;
+
+  /// Numerator and denominator of tau are quadratic forms. `greatest` is that of |T|^2 in the whole element.
+  void enclose(double greatest) {
+    QuadraticForm determinant, square;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::size_t j = i == 2 ? 0 : i + 1;
+      determinant[i] = 2 * cross(u[i], w[i]);
+      square[i] = squared_length(u[i]) + squared_length(w[i]);
+      determinant[3 + i] = cross(u[i], w[j]) + cross(u[j], w[i]);
+      square[3 + i] = dot(u[i], u[j]) + dot(w[i], w[j]);
+    }
+    const double most = std::max({square[0], square[1], square[2]});
+    bounds = least_ratio(determinant, square,
+                         8 * std::numeric_limits<double>::epsilon() * std::sqrt(most * std::max(most, greatest)));
+    // Where T nearly vanishes the forms know less of tau than T itself does.
+    const Barycentric local = bounds.worst;
+    Vector a, b;
+    bounds.worst = {};
+    for (std::size_t i = 0; i < 3; ++i) {
+      a += local[i] * u[i];
+      b += local[i] * w[i];
+      for (std::size_t c = 0; c < 3; ++c) bounds.worst[c] += local[i] * corners[i][c];
+    }
+    const double below = squared_length(a) + squared_length(b);
+    if (below > 0) bounds.upper = 2 * cross(a, b) / below;
+    bounds.lower = std::min(bounds.lower, bounds.upper);
+  }
+
+  /// The half at one end of the first edge, which is the last to be halved again.
+  LinearPiece half(std::size_t end) const {
+    const auto middle = [](const auto& ends) { return 0.5 * (ends[0] + ends[1]); };
+    const std::size_t first = end == 0 ? 0 : 2, second = end == 0 ? 2 : 1;
+    const Barycentric &x = corners[0], &y = corners[1];
+    return {{u[first], u[second], middle(u)},
+            {w[first], w[second], middle(w)},
+            {corners[first], corners[second], {(x[0] + y[0]) / 2, (x[1] + y[1]) / 2, (x[2] + y[2]) / 2}},
+            {}};
+  }
+};
+
+ShapeBounds least_quadratic_shape(std::span<const Point> net, double relative_width, int most_pieces) {
   const double scale = scale_of(net);
-  // Columns of T, up to a common factor, at the three corners of the linear net; T = J E^-1, E the map from the unit
-  // right triangle to the equilateral one.
-  std::array<Vector, 3> u{net[3] - net[0], net[1] - net[3], net[4] - net[5]};
-  std::array<Vector, 3> w{net[5] - net[0], net[4] - net[3], net[2] - net[5]};
+  // T = J E^-1, E the map from the unit right triangle to the equilateral one.
+  LinearPiece whole{{net[3] - net[0], net[1] - net[3], net[4] - net[5]},
+                    {net[5] - net[0], net[4] - net[3], net[2] - net[5]},
+                    {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}},
+                    {}};
   double greatest = 0;
   for (std::size_t i = 0; i < 3; ++i) {
-    u[i] *= scale;
-    w[i] = std::numbers::inv_sqrt3 * (2 * scale * w[i] - u[i]);
-    greatest = std::max(greatest, squared_length(u[i]) + squared_length(w[i]));
+    whole.u[i] *= scale;
+    whole.w[i] = std::numbers::inv_sqrt3 * (2 * scale * whole.w[i] - whole.u[i]);
+    greatest = std::max(greatest, squared_length(whole.u[i]) + squared_length(whole.w[i]));
   }
-  QuadraticForm determinant, square;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const std::size_t j = i == 2 ? 0 : i + 1;
-    determinant[i] = 2 * cross(u[i], w[i]);
-    square[i] = squared_length(u[i]) + squared_length(w[i]);
-    determinant[3 + i] = cross(u[i], w[j]) + cross(u[j], w[i]);
-    square[3 + i] = dot(u[i], u[j]) + dot(w[i], w[j]);
+  whole.enclose(greatest);
+  ShapeBounds bounds = whole.bounds;
+  const auto is_enough = [&] {
+    return bounds.upper - bounds.lower <= std::max(relative_width * std::fabs(bounds.upper), least_width);
+  };
+  if (is_enough()) return bounds;
+  thread_local std::vector<LinearPiece> pieces;
+  const auto later = [](const LinearPiece& a, const LinearPiece& b) { return a.bounds.lower > b.bounds.lower; };
+  pieces.assign(1, whole);
+  for (int count = 1; count < most_pieces && !is_enough(); ++count) {
+    std::pop_heap(pieces.begin(), pieces.end(), later);
+    const LinearPiece parent = pieces.back();
+    pieces.pop_back();
+    for (const std::size_t end : {std::size_t{0}, std::size_t{1}}) {
+      pieces.push_back(parent.half(end));
+      pieces.back().enclose(greatest);
+      if (const ShapeBounds& found = pieces.back().bounds; found.upper < bounds.upper) {
+        bounds.upper = found.upper;
+        bounds.worst = found.worst;
+      }
+      std::push_heap(pieces.begin(), pieces.end(), later);
+    }
+    bounds.lower = std::min(pieces.front().bounds.lower, bounds.upper);
   }
-  return least_ratio(determinant, square, 8 * std::numeric_limits<double>::epsilon() * greatest);
+  return bounds;
 }
 
 }  // namespace
@@ -162,7 +223,7 @@ ShapeBounds least_quadratic_shape(std::span<const Point> net) {
 ShapeBounds least_shape(int degree, std::span<const Point> net, double relative_width, int most_pieces) {
   assert(1 <= degree && degree <= max_degree && net.size() >= at(net_size(degree)));
   net = net.first(at(net_size(degree)));
-  if (degree == 2) return least_quadratic_shape(net);
+  if (degree == 2) return least_quadratic_shape(net, relative_width, most_pieces);
   thread_local Enclosure enclosure;
   enclosure.begin(degree, net);
   return enclosure.refine(relative_width, most_pieces);

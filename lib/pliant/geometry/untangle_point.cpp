@@ -1,6 +1,7 @@
 #include <algorithm>  // lib/pliant/geometry/untangle_point.cpp: a linear program over det J's coefficients, with cuts
 #include <array>
 #include <cassert>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -25,16 +26,22 @@ struct AffineMean {
   static void align(AffineFunction&, int) {}
 };
 
-/// det J of the elements, or of pieces of them: coefficients that are affine in the place, in lattice order, piece
-/// after piece. Memory is reused from call to call.
+/// The function of the way from the middle of the star.
+AffineFunction from_middle(const PlacementStar& star, const AffineFunction& f) { return {f.a, f.b, f(star.middle())}; }
+
+/// det J of the elements, or of pieces of them: coefficients that are affine in the place (from the middle of the
+/// star), in lattice order, piece after piece. Memory is reused from call to call.
 class AffineJacobians {
  public:
   void start(PlacementStar& star) {
     degree_ = jacobian_degree(star.degree());
     size_ = static_cast<std::size_t>(net_size(degree_));
     functions_.resize(star.count() * size_);
+    rounding_ = proof_gap;
     for (std::size_t e = 0; e < star.count(); ++e) add_element(star, e);
   }
+  /// Above the rounding of the functions at places of the order of 1.
+  double rounding() const { return rounding_; }
   std::span<const AffineFunction> functions() const { return functions_; }
   std::size_t pieces() const { return functions_.size() / size_; }
   std::size_t piece_of(std::size_t function) const { return function / size_; }
@@ -72,14 +79,16 @@ class AffineJacobians {
     for (std::size_t n = 0; n < net.size(); ++n)
       if (static_cast<int>(n) != star.moving(e)) box.extend(net[n]);
     const double extent = squared_length(box.high - box.low), scale = extent > 0 ? 1 / extent : 1;
+    rounding_ = std::max(rounding_, std::min(1.0, 0.1 * proof_gap * scale));
     const std::vector<int>& order = lattice_order(degree_);
     for (std::size_t n = 0; n < size_; ++n)
-      functions_[e * size_ + static_cast<std::size_t>(order[n])] = {
-          scale * (along_x[n] - at_origin[n]), scale * (along_y[n] - at_origin[n]), scale * at_origin[n]};
+      functions_[e * size_ + static_cast<std::size_t>(order[n])] = from_middle(
+          star, {scale * (along_x[n] - at_origin[n]), scale * (along_y[n] - at_origin[n]), scale * at_origin[n]});
   }
 
   int degree_ = 0;
   std::size_t size_ = 1;
+  double rounding_ = 0;
   std::vector<AffineFunction> functions_, values_;
 };
 
@@ -95,10 +104,24 @@ bool is_fixed_corner_bad(const PlacementElement& element, int degree) {
   return false;
 }
 
-/// Proof that no place makes the values at the corners of all pieces positive.
+/// Proof that no place within 1000 half extents makes the values at the corners of all pieces positive: nowhere is
+/// their least above this mean of them, whatever rounding did to the shares.
 bool is_hopeless(AffineJacobians& jacobians) {
-  const AffineOptimum best = maximise_least(jacobians.corner_values(), 1e3 * reach);
-  return best.bounded && best.value <= -proof_gap;
+  constexpr double far = 1e3;
+  const std::span<const AffineFunction> values = jacobians.corner_values();
+  const AffineOptimum best = maximise_least(values, far);
+  if (!best.bounded || best.value > -proof_gap) return false;
+  AffineFunction mean{0, 0, 0};
+  double shares = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double share = std::max(0.0, best.share[i]);
+    if (share == 0) continue;
+    if (best.active[i] < 0) return false;
+    const AffineFunction& f = values[static_cast<std::size_t>(best.active[i])];
+    mean = {mean.a + share * f.a, mean.b + share * f.b, mean.c + share * f.c};
+    shares += share;
+  }
+  return mean.c + far * (std::fabs(mean.a) + std::fabs(mean.b)) <= -jacobians.rounding() * shares;
 }
 
 /// The pieces to look closer at: those where a coefficient that is no value of det J holds the optimum down.
@@ -125,11 +148,11 @@ Placement untangle_elements(PlacementStar& star, const Point& start, std::size_t
   thread_local AffineJacobians jacobians;
   thread_local std::vector<std::size_t> tight;
   jacobians.start(star);
-  const Point near = star.local(start);
+  const Point near = star.local(start) - star.middle();
   Placement best{Placement::Outcome::stuck, start, -1, area};
   for (int round = 0; round < most_rounds; ++round) {
-    const AffineOptimum optimum = maximise_least(jacobians.functions(), reach, near);
-    const Point place = star.world(optimum.place);
+    const AffineOptimum optimum = maximise_least(jacobians.functions(), reach * star.half(), near);
+    const Point place = star.world(star.middle() + optimum.place);
     if (round == 0 || optimum.value > best.value) {
       best.place = place;
       best.value = optimum.value;
@@ -157,18 +180,19 @@ Placement untangle_elements(PlacementStar& star, const Point& start, std::size_t
 Placement untangle_control_mesh(PlacementStar& star, const Point& start) {
   thread_local std::vector<AffineFunction> areas;
   areas.clear();
+  const double scale = star.half() > 0 ? 0.5 / (star.half() * star.half()) : 0.5;
   for (std::size_t e = 0; e < star.count(); ++e) {
     const auto net = star.net(e, {});
     star.for_control_triangles(e, [&](const std::array<int, 3>& corners, std::size_t which) {
-      // Area 1/2 (b - a) x (q - a) of the fixed corners a, b and the moving q.
+      // Area (b - a) x (q - a) / 2 of the fixed corners a, b and the moving q.
       const Point& a = net[static_cast<std::size_t>(corners[(which + 1) % 3])];
       const Point& b = net[static_cast<std::size_t>(corners[(which + 2) % 3])];
       const Vector side = b - a;
-      areas.push_back({-side.y / 2, side.x / 2, -cross(side, a) / 2});
+      areas.push_back(from_middle(star, {-scale * side.y, scale * side.x, -scale * cross(side, a)}));
     });
   }
-  const AffineOptimum optimum = maximise_least(areas, reach, star.local(start));
-  const Point place = star.world(optimum.place);
+  const AffineOptimum optimum = maximise_least(areas, reach * star.half(), star.local(start) - star.middle());
+  const Point place = star.world(star.middle() + optimum.place);
   const bool placed = star.is_certified(place);
   return {placed ? Placement::Outcome::placed : Placement::Outcome::stuck, place, optimum.value,
           Placement::Program::area};
