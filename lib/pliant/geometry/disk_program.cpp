@@ -139,6 +139,80 @@ std::optional<Meeting> search_meeting(const Three& three, double most) {
   return best;
 }
 
+/// The member of a basis of three that leaves it when h enters, as in the simplex method: by the gradients at the
+/// place.
+std::size_t leaving_member(const Three& members, const Point& place, const ShapeFunction& h) {
+  const auto slope_at = [&place](const ShapeFunction& f) {
+    const Vector r = place - f.base;
+    const double by = 2 / (squared_length(r) + squared_length(f.v));
+    return by * (f.v - by * dot(f.v, r) * r);
+  };
+  const std::array<Vector, 3> slope{slope_at(*members[0]), slope_at(*members[1]), slope_at(*members[2])};
+  const Vector entering = slope_at(h);
+  std::size_t leaving = 0;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vector &a = slope[(i + 1) % 3], &b = slope[(i + 2) % 3];
+    const double sign = cross(slope[1] - slope[0], slope[2] - slope[0]) < 0 ? -1 : 1;
+    const double share = sign * cross(a, b), mixture = sign * cross(a - entering, b - entering);
+    if (!(mixture > 0) || share >= least * mixture) continue;
+    least = share / mixture;
+    leaving = i;
+  }
+  return leaving;
+}
+
+/// The basis of the members and one more function, which is in it: alone with one of them, or with two. Empty where
+/// rounding hides it; `is_none` where the two have no place.
+std::optional<DiskBasis> exchange(std::span<const ShapeFunction> functions, const DiskBasis& basis,
+                                  std::size_t entering, bool& is_none) {
+  const std::span<const std::size_t> members(basis.members.data(), basis.count);
+  const ShapeFunction& h = functions[entering];
+  const Meeting here{basis.place, basis.value};
+  const auto holds = [&](const Meeting& candidate) {
+    return std::all_of(members.begin(), members.end(),
+                       [&](std::size_t i) { return contains(functions[i], candidate); });
+  };
+  const auto triple = [&](std::size_t i, std::size_t j, const Meeting& at) {
+    return DiskBasis{{members[i], members[j], entering}, 3, at.place, at.value};
+  };
+  if (members.size() == 3) {  // nearly always right
+    const std::size_t leaving =
+        leaving_member({&functions[members[0]], &functions[members[1]], &functions[members[2]]}, here.place, h);
+    const std::size_t i = leaving == 0 ? 1 : 0, j = leaving == 2 ? 1 : 2;
+    Meeting at = here;
+    if (newton({&functions[members[i]], &functions[members[j]], &h}, at) == Found::optimum && holds(at))
+      return triple(i, j, at);
+  }
+  std::array<Meeting, 3> pairs;
+  for (std::size_t i = 0; i < members.size(); ++i) {
+    const auto pair = meeting(functions[members[i]], h);
+    if (!pair) {
+      is_none = true;
+      return std::nullopt;
+    }
+    pairs[i] = *pair;
+    if (holds(*pair)) return DiskBasis{{members[i], entering, 0}, 2, pair->place, pair->value};
+  }
+  // Searches take long, and are for what Newton's method does not find.
+  for (const bool is_search : {false, true})
+    for (std::size_t i = 0; i < members.size(); ++i)
+      for (std::size_t j = i + 1; j < members.size(); ++j) {
+        const Three three{&functions[members[i]], &functions[members[j]], &h};
+        const Meeting& below = pairs[i].value < pairs[j].value ? pairs[i] : pairs[j];
+        if (is_search) {
+          const auto at = search_meeting(three, below.value);
+          if (at && holds(*at)) return triple(i, j, *at);
+          continue;
+        }
+        Meeting at = below;
+        Found found = newton(three, at);
+        if (found == Found::nothing) found = newton(three, at = here);
+        if (found == Found::optimum && holds(at)) return triple(i, j, at);
+      }
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::optional<DiskOptimum> maximise_least(std::span<const ShapeFunction> functions, DiskBasis& basis) {
@@ -164,43 +238,13 @@ std::optional<DiskOptimum> maximise_least(std::span<const ShapeFunction> functio
   for (int exchanges = 0; exchanges < most_exchanges; ++exchanges) {
     const auto [entering, least] = worst_at(basis.place);
     if (least > best.value) best = {basis.place, least};
-    const std::span<const std::size_t> members(basis.members.data(), basis.count);
+    const auto end = basis.members.begin() + static_cast<std::ptrdiff_t>(basis.count);
     if (contains(functions[entering], {basis.place, basis.value}) ||
-        std::find(members.begin(), members.end(), entering) != members.end())
+        std::find(basis.members.begin(), end, entering) != end)
       break;
-
-    // The optimum of basis and newcomer has the newcomer in its basis: alone with one of the others, or with two.
-    const ShapeFunction& h = functions[entering];
-    const auto holds = [&](const Meeting& candidate) {
-      return std::all_of(members.begin(), members.end(),
-                         [&](std::size_t i) { return contains(functions[i], candidate); });
-    };
-    std::optional<DiskBasis> next;
-    std::array<Meeting, 3> pairs;
-    for (std::size_t i = 0; !next && i < members.size(); ++i) {
-      const auto pair = meeting(functions[members[i]], h);
-      if (!pair) return std::nullopt;
-      pairs[i] = *pair;
-      if (holds(*pair)) next = {{members[i], entering, 0}, 2, pair->place, pair->value};
-    }
-    // Searches take long, and are for what Newton's method does not find.
-    for (const bool is_search : {false, true})
-      for (std::size_t i = 0; !next && i < members.size(); ++i)
-        for (std::size_t j = i + 1; !next && j < members.size(); ++j) {
-          const Three three{&functions[members[i]], &functions[members[j]], &h};
-          const Meeting& below = pairs[i].value < pairs[j].value ? pairs[i] : pairs[j];
-          std::optional<Meeting> triple;
-          if (is_search) {
-            triple = search_meeting(three, below.value);
-          } else {
-            const Meeting here{basis.place, basis.value};
-            Meeting at = below;
-            Found found = newton(three, at);
-            if (found == Found::nothing) found = newton(three, at = here);
-            if (found == Found::optimum) triple = at;
-          }
-          if (triple && holds(*triple)) next = {{members[i], members[j], entering}, 3, triple->place, triple->value};
-        }
+    bool is_none = false;
+    const auto next = exchange(functions, basis, entering, is_none);
+    if (is_none) return std::nullopt;
     if (!next) break;  // rounding: the best so far
     basis = *next;
   }

@@ -46,8 +46,9 @@ struct Placement {
 Placement untangle_point(int degree, std::span<const PlacementElement> elements, const Point& start,
                          PlacementMeasure measure = PlacementMeasure::element, int most_pieces = 400);
 
-/// How near to its optimum improve_point comes by default, relative to the optimum.
-inline constexpr double placement_accuracy = 2e-3;
+/// How near to its optimum improve_point comes by default, relative to the optimum: where it costs little, as near as
+/// it can.
+constexpr double placement_accuracy(int degree) { return degree <= 2 ? 1e-10 : 2e-3; }
 
 /// Maximises min tau(xi) over the elements and their points xi: {tau(xi) >= t}, t > 0, is a disk of places for each xi,
 /// and the worst xi are added as cuts. `value` is a lower bound of min tau at the place, and no place of the plane has
@@ -64,6 +65,10 @@ inline constexpr double placement_accuracy = 2e-3;
 /// way) from the start, or, from a start that is not valid, from the best place of the area program on the true
 /// elements.
 Placement improve_point(int degree, std::span<const PlacementElement> elements, const Point& start,
-                        PlacementMeasure measure = PlacementMeasure::element, double accuracy = placement_accuracy);
+                        PlacementMeasure measure, double accuracy);
+inline Placement improve_point(int degree, std::span<const PlacementElement> elements, const Point& start,
+                               PlacementMeasure measure = PlacementMeasure::element) {
+  return improve_point(degree, elements, start, measure, placement_accuracy(degree));
+}
 
 }  // namespace pliant

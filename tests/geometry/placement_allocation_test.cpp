@@ -1,0 +1,53 @@
+// tests/geometry/placement_allocation_test.cpp: placement allocates nothing once its scratch memory has grown
+#include <atomic>
+#include <catch2/catch.hpp>
+#include <cstdlib>
+#include <vector>
+
+#include "pliant/geometry/optimal_placement.h"
+#include "support/placement_stars.h"
+
+// What the C library's malloc is asked for; sanitizers have one of their own.
+#if defined(__has_feature)
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
+#define PLIANT_OWN_MALLOC
+#endif
+#endif
+#if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) && !defined(PLIANT_OWN_MALLOC)
+
+namespace {
+std::atomic<long> allocations{0};
+}
+
+extern "C" void* __libc_malloc(std::size_t);
+extern "C" void* malloc(std::size_t size) noexcept {
+  ++allocations;
+  return __libc_malloc(size);
+}
+
+using namespace pliant;
+
+TEST_CASE("placement allocates nothing in the steady state", "[geometry]") {
+  const int degree = GENERATE(1, 2, 3, 4, 5);
+  CAPTURE(degree);
+  std::vector<samples::PlacementStar> stars;
+  std::mt19937_64 random(4);
+  for (int k = 0; k < 40; ++k)
+    stars.push_back(
+        random_star(degree, degree == 1 ? samples::StarKind::vertex : samples::StarKind::edge, 0.6, random));
+  std::vector<std::vector<PlacementElement>> elements;
+  for (const auto& star : stars) elements.push_back(star.elements());
+  long allocated = 0;
+  for (int round = 0; round < 2; ++round) {
+    const long before = allocations;
+    for (std::size_t k = 0; k < stars.size(); ++k)
+      for (const auto measure : {PlacementMeasure::element, PlacementMeasure::control_mesh}) {
+        untangle_point(degree, elements[k], stars[k].place(), measure);
+        improve_point(degree, elements[k], stars[k].place(), measure);
+      }
+    allocated = allocations - before;
+  }
+  CHECK(allocated == 0);
+}
+
+#endif
