@@ -45,6 +45,7 @@ LeastCost least_cost(const Place& middle, Real half, Real width, CostAt cost_at)
                              {middle.x + half, middle.y + half},
                              {middle.x - half, middle.y + half}},
       rest;
+  std::vector<Real> excess;
   LeastCost best{infinity, -infinity, middle, false};
   Place q = middle;
   for (int steps = 0; steps < 400; ++steps) {
@@ -52,7 +53,7 @@ LeastCost least_cost(const Place& middle, Real half, Real width, CostAt cost_at)
     if (at.is_allowed && at.cost < best.cost) best = {at.cost, best.sure, q, true};
     const Real bound = at.is_allowed ? best.cost : 0;
     Real least = infinity;
-    std::vector<Real> excess;
+    excess.clear();
     for (const Place& v : polygon) {
       const Real promise = at.cost + at.slope.x * (v.x - q.x) + at.slope.y * (v.y - q.y);
       least = std::min(least, promise);
@@ -490,7 +491,7 @@ class PlacementOracle {
     Point place;
   };
   /// The greatest least tau; 0 where none is positive.
-  BestShape best_shape(Real reach, Real width = 1e-13L) const {
+  BestShape best_shape(Real reach, Real width = 1e-12L) const {
     const LeastCost best = least_cost(middle_, reach * half_, width, [this](const Place& q) {
       Cost most = area(q);
       if (most.cost >= 0) {
