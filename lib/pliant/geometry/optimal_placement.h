@@ -16,7 +16,7 @@ enum class PlacementMeasure { element, control_mesh };  ///< true measures, or t
 struct Placement {
   enum class Outcome {
     placed,    ///< `place` makes every element certified valid
-    hopeless,  ///< proved: no place makes all of them valid (none within 1000 extents of the star)
+    hopeless,  ///< proved: no place makes all of them valid (none within 1000 half extents of the star)
     stuck      ///< neither could be shown within the cuts allowed
   };
   enum class Program {
@@ -51,10 +51,11 @@ Placement untangle_point(int degree, std::span<const PlacementElement> elements,
 constexpr double placement_accuracy(int degree) { return degree <= 2 ? 1e-10 : 2e-3; }
 
 /// Maximises min tau(xi) over the elements and their points xi: {tau(xi) >= t}, t > 0, is a disk of places for each xi,
-/// and the worst xi are added as cuts. `value` is a lower bound of min tau at the place, and no place of the plane has
-/// more than value + max(accuracy * value, 1e-10); with doubles that means 1e-10 at best, and at p > 2 as far as a few
-/// hundred bisections an element lead. A point xi whose tau does not depend on the place may be the worst of all;
-/// then any place is an optimum that keeps the others above it.
+/// and the worst xi are added as cuts. With t the best of the whole plane, min tau at the place is at least
+/// t - max(accuracy * t, 1e-10). `value` is a lower bound of it; at p <= 2 the two differ by what rounding leaves
+/// unknown (most often 1e-14, but 1e-8 where an element is flat to 1e-6), above by at most accuracy / 4 of it as far as
+/// 400 bisections of an element lead. A point xi whose tau does not depend on the place may be the worst of all; then
+/// every place is an optimum that keeps the others above it.
 ///
 /// From a valid start the place is never worse than `start`, which stays bit for bit where it is within the accuracy.
 /// The start need not be valid. Where no place has a positive tau, or none was found, the result is that of
