@@ -38,6 +38,13 @@ std::optional<ShapeFunction> shape_function(const Vector& fixed_2, const Vector&
   return ShapeFunction{-by * (n1 * a1 + n2 * a2), by * perpendicular(n2 * a1 - n1 * a2)};
 }
 
+/// tau where these are the Jacobian's columns.
+double shape_of(const Vector& along_2, const Vector& along_3) {
+  const Vector second = std::numbers::inv_sqrt3 * (2 * along_3 - along_2);
+  const double square = squared_length(along_2) + squared_length(second);
+  return square > 0 ? 2 * cross(along_2, second) / square : 0;
+}
+
 /// What the pointwise shape of the elements depends on; cuts are points xi. Memory is reused from call to call.
 class ElementShapes {
  public:
@@ -69,12 +76,12 @@ class ElementShapes {
   bool cut(double value) {
     const std::size_t before = functions.size();
     for (std::size_t e = 0; e < worst_.size(); ++e)
-      if (worst_[e].upper < value && !add(e, worst_[e].worst)) cap = std::min(cap, worst_[e].upper);
+      if (worst_[e].upper < value) add(e, worst_[e].worst);
     return functions.size() > before;
   }
 
  private:
-  bool add(std::size_t e, const Barycentric& xi) {
+  void add(std::size_t e, const Barycentric& xi) {
     const int p = star_->degree(), moving = star_->moving(e);
     const std::span<const Point> net = star_->net(e, {});
     std::array<double, max_partials> basis;
@@ -93,9 +100,10 @@ class ElementShapes {
       rate_2 += b * ((second == moving) - (first == moving));
       rate_3 += b * ((third == moving) - (first == moving));
     }
-    const auto f = shape_function(along_2, along_3, rate_2, rate_3);
-    if (f) functions.push_back(*f);
-    return f.has_value();
+    if (const auto f = shape_function(along_2, along_3, rate_2, rate_3))
+      functions.push_back(*f);
+    else
+      cap = std::min(cap, shape_of(along_2, along_3));
   }
 
   /// A first choice: the nodes of the element's own degree, and the centre.
