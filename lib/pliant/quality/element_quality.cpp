@@ -132,15 +132,4 @@ double element_turning(int degree, std::span<const Point> net) {
   return degree == 2 ? quadratic_turning(net) : any_turning(degree, net);
 }
 
-double curvature_excess(int degree, std::span<const Point> net, const CurvatureBounds& bounds) {
-  ElementForms forms;
-  element_forms(degree, net, forms);
-  const double bending = distortion(forms);
-  const double shape = curved_shape(forms);
-  if (!(bending >= 1) || !(shape > 0)) return HUGE_VAL;
-  const double logical = triangle_shape(net[0], net[1], net[2]);
-  return std::max({bending / bounds.max_distortion, jacobian_peak(forms) / bounds.max_peak,
-                   bounds.min_shape_ratio * logical / shape, element_turning(degree, net) / bounds.max_turning});
-}
-
 }  // namespace pliant

@@ -30,15 +30,4 @@ double jacobian_peak(int degree, std::span<const Point> net);
 /// The largest turning angle of the three edges, in radians.
 double element_turning(int degree, std::span<const Point> net);
 
-/// When is an element too curved? Every member is a bound; the defaults are those of smoothcurves.
-struct CurvatureBounds {
-  double max_distortion = 1.1;        ///< D above this
-  double max_peak = 2.0;              ///< max(C) / 2A above this
-  double min_shape_ratio = 0.5;       ///< curved tau below this times the logical triangle's
-  double max_turning = 1.5707963268;  ///< an edge turns by more (radians)
-};
-/// A number above 1 says that the element is too curved, and by how much: the largest of the measures, each divided by
-/// its bound (for the shape the bound by the measure). Infinite where the area or the least tau is not positive.
-double curvature_excess(int degree, std::span<const Point> net, const CurvatureBounds& bounds);
-
 }  // namespace pliant
