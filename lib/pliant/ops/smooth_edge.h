@@ -2,10 +2,9 @@
               // §5.2.4)
 #include "pliant/mesh/mesh.h"
 #include "pliant/ops/outcome.h"
+#include "pliant/ops/trial_patch.h"
 
 namespace pliant {
-
-enum class SmoothGoal { untangle, improve };
 
 /// Moves the inner control points of an unconstrained edge, one at a time, by optimal placement over the elements of
 /// the edge; fields are refitted. Refuses (mesh unchanged) when nothing improves.
