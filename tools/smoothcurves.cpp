@@ -1,19 +1,32 @@
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
 #include <numbers>
+#include <string>
 
 #include "criteria_options.h"
 #include "filter.h"
 #include "pliant/improve/smooth_curves.h"  // tools/smoothcurves.cpp
+#include "progress_line.h"
 #include "refit_option.h"
 
 namespace {
 
 using namespace pliant;
 
-std::string list_elements(const std::vector<TriangleId>& elements) {
+/// The first of the elements that stay invalid, a line each: which, where, and why.
+std::string list_elements(const SmoothOutcome& outcome, const SmoothOptions& options) {
+  constexpr std::size_t most = 20;
   std::string text;
-  for (std::size_t k = 0; k < elements.size() && k < 10; ++k) text += (k ? ", " : "") + std::to_string(elements[k]);
-  return text + (elements.size() > 10 ? ", ..." : "");
+  std::size_t count = 0;
+  for (const UnmendedElement& left : outcome.unmended) {
+    if (!std::binary_search(outcome.invalid.begin(), outcome.invalid.end(), left.element)) continue;
+    if (++count > most) continue;
+    char line[96];
+    std::snprintf(line, sizeof line, "\n  element %d at (%.6g, %.6g): ", left.element, left.place.x, left.place.y);
+    text += line + describe(left.reason, options);
+  }
+  return count > most ? text + "\n  and " + std::to_string(count - most) + " more" : text;
 }
 
 }  // namespace
@@ -22,7 +35,7 @@ int main(int argc, char** argv) {
   CLI::App app{"Smooth the edges of elements that are too curved, and untangle those that are not valid.",
                "smoothcurves"};
   SmoothOptions options;
-  std::string distortion = "1.1", peak = "2", shape = "0.5", turning = "90";
+  std::string distortion = "1.1", peak = "2", shape = "0.5", turning = "90", jacobian = "0.3", measure = "element";
   bool keep_going = false;
   app.add_option("--max-distortion", distortion, "an element is too curved above this distortion D")
       ->type_name("D")
@@ -36,6 +49,15 @@ int main(int argc, char** argv) {
   app.add_option("--max-turning", turning, "or where an edge turns by more than this angle")
       ->type_name("DEG")
       ->capture_default_str();
+  app.add_option("--min-scaled-jacobian", jacobian, "or where its scaled Jacobian is below this")
+      ->type_name("SJ")
+      ->capture_default_str();
+  app.add_option("--measure", measure, "what optimal places are measured on: the elements, or their control triangles")
+      ->check(CLI::IsMember({"element", "control"}))
+      ->capture_default_str();
+  app.add_flag("--vertices", options.vertices,
+               "also move vertices that are on no curve, where edges alone do not help");
+  app.add_flag("--flips", options.flips, "also flip edges of elements that are not valid");
   app.add_option("--max-sweeps", options.max_sweeps, "visit an element at most N times")
       ->type_name("N")
       ->check(CLI::Range(1, 100000))
@@ -50,16 +72,21 @@ int main(int argc, char** argv) {
     options.bounds.max_peak = parse_positive("--max-peak", peak);
     options.bounds.min_shape_ratio = parse_positive("--min-shape-ratio", shape);
     options.bounds.max_turning = parse_positive("--max-turning", turning) * std::numbers::pi / 180;
+    options.bounds.min_scaled_jacobian = parse_positive("--min-scaled-jacobian", jacobian);
+    options.measure = measure == "control" ? PlacementMeasure::control_mesh : PlacementMeasure::element;
+    if (options.bounds.min_scaled_jacobian >= 1) throw UsageError("--min-scaled-jacobian must be below 1");
     if (options.bounds.max_distortion <= 1) throw UsageError("--max-distortion must be above 1");
     if (options.bounds.max_peak <= 1) throw UsageError("--max-peak must be above 1");
   };
   return run_filter(
       app, argc, argv,
       [&](Mesh& mesh) {
+        if (ProgressLine* line = ProgressLine::shown()) options.progress = line->counters();
         const SmoothOutcome outcome = smooth_curves(mesh, options);
         if (!outcome.invalid.empty() && !keep_going)
-          throw NoResult(std::to_string(outcome.invalid.size()) + " elements stay invalid (" +
-                         list_elements(outcome.invalid) + "); --keep-going writes the mesh all the same");
+          throw NoResult(std::to_string(outcome.invalid.size()) +
+                         " elements stay invalid; --keep-going writes the mesh all the same" +
+                         list_elements(outcome, options));
         return outcome.report;
       },
       filter);

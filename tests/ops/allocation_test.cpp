@@ -16,7 +16,7 @@ namespace {
 std::atomic<long> allocations{0};
 }
 
-extern "C" void* __libc_malloc(std::size_t);
+extern "C" void* __libc_malloc(std::size_t);  // NOLINT: glibc names it
 extern "C" void* malloc(std::size_t size) noexcept {
   ++allocations;
   return __libc_malloc(size);

@@ -3,21 +3,23 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
-#include <initializer_list>
-#include <map>
 #include <queue>
-#include <span>
-#include <string>
+#include <set>
+#include <tuple>
+#include <utility>
 
-#include "pliant/mesh/check_mesh.h"
+#include "pliant/geometry/control_net.h"
+#include "pliant/geometry/predicates.h"
+#include "pliant/improve/smoothing_moves.h"
+#include "pliant/ops/build_triangle.h"
 #include "pliant/ops/insert_point.h"
-#include "pliant/ops/smooth_edge.h"
 
 namespace pliant {
 namespace {
 
-constexpr double progress = 1e-2;  // a visit must lower the excess by this much (relative) for another one to follow
+constexpr double progress = 1e-2;  // an element whose excess fell by this much (relative) is visited again
+constexpr int most_split_rounds = 10;
+constexpr int most_searches = 4;  // of a valid element: they cost more than all the rest
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
@@ -29,200 +31,229 @@ struct Entry {
   }
 };
 
-using Way = std::function<Refusal()>;  // of smoothing an edge or the inside of an element
-
 class Smoother {
  public:
-  Smoother(Mesh& mesh, const SmoothOptions& options) : mesh_(mesh), options_(options) {}
+  Smoother(Mesh& mesh, const SmoothOptions& options) : mesh_(mesh), options_(options), moves_(mesh, options) {}
 
   SmoothOutcome run() {
-    visits_.assign(at(mesh_.triangle_slots()), 0);
-    for (TriangleId t = 0; t < mesh_.triangle_slots(); ++t) enqueue(t);
-    const auto too_curved = static_cast<double>(queue_.size());
-    work();
-    if (options_.split) {
-      split_constrained();
-      work();
+    if (options_.progress != nullptr) options_.progress->start("smooth", "visits");
+    for (TriangleId t = 0; t < mesh_.triangle_slots(); ++t)
+      if (mesh_.is_alive(t) && !moves_.is_fine(t)) suspects_.push_back(t);
+    const std::size_t too_curved = suspects_.size();
+    if (too_curved > 0) {
+      work(suspects_);
+      std::vector<TriangleId> left = still_curved();
+      for (int round = 0; options_.split && round < most_split_rounds && split_edges(left); ++round) {
+        work(split_off_);
+        left = still_curved();
+      }
+      judge(left);
+      if (is_changed_) mesh_.compact();
     }
-    mesh_.compact();
-    SmoothOutcome outcome;
-    const InvalidElements left = find_invalid(mesh_);
-    outcome.invalid = left.invalid;
-    outcome.invalid.insert(outcome.invalid.end(), left.degenerate.begin(), left.degenerate.end());
-    PassReport& report = outcome.report;
-    report.add("too_curved", too_curved);
-    report.add("edges_smoothed", static_cast<double>(smoothed_));
+    PassReport& report = outcome_.report;
+    report.add("too_curved", static_cast<double>(too_curved));
+    report.add("edges_smoothed", static_cast<double>(moves_.edges_smoothed));
+    report.add("vertices_moved", static_cast<double>(moves_.vertices_moved));
+    report.add("searches", static_cast<double>(moves_.searches));
+    report.add("flips", static_cast<double>(moves_.flips));
     report.add("splits", static_cast<double>(splits_));
-    long curved = 0, on_curve = 0;
-    for (TriangleId t = 0; t < mesh_.triangle_slots(); ++t) {
-      if (excess(t) <= 1) continue;
-      ++curved;
-      if (has_constrained_edge(t)) ++on_curve;
-    }
-    report.add("still_curved", static_cast<double>(curved));
-    report.add("still_curved_on_curves", static_cast<double>(on_curve));
-    report.add("invalid", static_cast<double>(outcome.invalid.size()));
+    report.add("still_curved", static_cast<double>(outcome_.unmended.size()));
+    report.add("still_curved_on_curves", static_cast<double>(on_curves_));
+    report.add("needs_split", static_cast<double>(needs_split_));
+    report.add("invalid", static_cast<double>(outcome_.invalid.size()));
     report.add("triangles", mesh_.triangle_count());
-    for (const auto& [reason, times] : refusals_) report.refuse(reason, times);
-    return outcome;
+    for (const auto& [reason, times] : moves_.refusals) report.refuse(reason, times);
+    for (const UnmendedElement& element : outcome_.unmended)
+      report.refuse(describe(element.reason, options_), element.place);
+    return std::move(outcome_);
   }
 
  private:
-  double excess(TriangleId t) const {
-    std::array<Point, net_size(max_degree)> net;
-    mesh_.gather_points(t, net);
-    return curvature_excess(mesh_.degree(), {net.data(), at(mesh_.net_size())}, options_.bounds);
-  }
-  bool is_valid(TriangleId t) const { return certify_element(mesh_, t) == Validity::valid; }
   bool has_constrained_edge(TriangleId t) const {
     for (int e = 0; e < 3; ++e)
       if (mesh_.is_constrained(half_edge(t, e))) return true;
     return false;
   }
-  void enqueue(TriangleId t) {
-    const double now = excess(t);
-    if (now > 1) queue_.push({now, t});
-  }
 
-  void work() {
+  /// Visits these elements, and what their change makes worth a visit, until nothing improves.
+  void work(std::span<const TriangleId> elements) {
+    visits_.assign(at(mesh_.triangle_slots()), 0);
+    searches_.assign(at(mesh_.triangle_slots()), 0);
+    last_.assign(at(mesh_.triangle_slots()), 0);
+    for (const TriangleId t : elements)
+      if (const double excess = moves_.excess(t); excess > 1) queue_.push({excess, t});
     while (!queue_.empty()) {
       const Entry entry = queue_.top();
       queue_.pop();
-      if (visits_[at(entry.triangle)] >= options_.max_sweeps) continue;
-      const double before = excess(entry.triangle);
+      const TriangleId t = entry.triangle;
+      if (visits_[at(t)] >= options_.max_sweeps) continue;
+      const double before = moves_.excess(t);
       if (before <= 1) continue;
       if (before < entry.excess) {  // better than when it was queued: its turn comes later
-        queue_.push({before, entry.triangle});
+        queue_.push({before, t});
         continue;
       }
-      ++visits_[at(entry.triangle)];
-      std::array<double, 3> neighbours{};
-      for (int e = 0; e < 3; ++e) neighbours[at(e)] = excess_across(half_edge(entry.triangle, e));
-      if (!smooth(entry.triangle)) continue;
-      const double after = excess(entry.triangle);
-      if (after < before * (1 - progress)) enqueue(entry.triangle);
-      for (int e = 0; e < 3; ++e)
-        if (std::abs(excess_across(half_edge(entry.triangle, e)) - neighbours[at(e)]) > progress * neighbours[at(e)])
-          enqueue(triangle_of(mesh_.twin(half_edge(entry.triangle, e))));
+      ++visits_[at(t)];
+      if (options_.progress != nullptr) options_.progress->count(++visited_);
+      visit(t, before);
     }
+    std::sort(suspects_.begin(), suspects_.end());
+    suspects_.erase(std::unique(suspects_.begin(), suspects_.end()), suspects_.end());
   }
-  double excess_across(HalfEdgeId h) const { return mesh_.twin(h) == none ? 0 : excess(triangle_of(mesh_.twin(h))); }
 
-  /// Smooths the edges and the inner points of one element; true if anything moved.
-  bool smooth(TriangleId t) {
-    if (!is_valid(t)) return untangle(t);
-    bool moved = false;
+  void visit(TriangleId t, double before) {
+    moves_.forget_touched();
+    bool changed = moves_.smooth_edges(t);
+    const auto is_mended = [&] { return moves_.excess(t) <= std::max(1.0, before * (1 - progress)); };
+    if (options_.flips && before >= tangled_excess && !is_mended()) changed = moves_.flip_edges(t) || changed;
+    if (options_.vertices && !is_mended()) changed = moves_.move_vertices(t) || changed;
+    if (!changed && (before >= tangled_excess || searches_[at(t)]++ < most_searches)) changed = moves_.search_places(t);
+    if (!changed) last_[at(t)] = before;
+    if (!changed) return;
+    is_changed_ = true;
+    std::vector<TriangleId> touched = moves_.touched();
+    std::sort(touched.begin(), touched.end());
+    touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
+    suspects_.insert(suspects_.end(), touched.begin(), touched.end());
+    for (const TriangleId u : touched) unsplit_.erase(u);
+    for (const TriangleId u : touched) {
+      if (moves_.is_fine(u)) continue;
+      const double excess = moves_.excess(u), last = last_[at(u)];
+      if (std::fabs(excess - last) > progress * last) queue_.push({excess, u});
+    }
+    last_[at(t)] = moves_.excess(t);
+  }
+
+  std::vector<TriangleId> still_curved() const {
+    std::vector<TriangleId> left;
+    for (const TriangleId t : suspects_)
+      if (!moves_.is_fine(t)) left.push_back(t);
+    return left;
+  }
+
+  // -- splits of edges on curves
+
+  /// Splits an edge of the element that is on a curve, smooths what comes of it, and tells whether the worst of it is
+  /// better than the worst there was. Undone unless it is and `keep` is set.
+  bool split_helps(TriangleId t, bool keep) {
     for (int e = 0; e < 3; ++e) {
       const HalfEdgeId h = half_edge(t, e), g = mesh_.twin(h);
-      if (g == none || mesh_.is_constrained(h) || !is_valid(triangle_of(g))) continue;
-      const std::array<TriangleId, 2> pair{t, triangle_of(g)};
-      const auto improve = [&] { return smooth_edge(mesh_, h, SmoothGoal::improve, options_.refit); };
-      const auto half = [&] { return straighten_edge(mesh_, h, 0.5, options_.refit); };
-      const auto straight = [&] { return straighten_edge(mesh_, h, 0, options_.refit); };
-      note(take_best(pair, {improve, half, straight}), moved);
-    }
-    if (mesh_.degree() <= 2) return moved;
-    const std::array<TriangleId, 1> one{t};
-    const auto improve = [&] { return smooth_interior(mesh_, t, SmoothGoal::improve, options_.refit); };
-    const auto blend = [&] { return blend_interior(mesh_, t, options_.refit); };
-    note(take_best(one, {improve, blend}), moved);
-    return moved;
-  }
-
-  /// Makes an element valid by one of its edges or by its inner points alone, if any of them can do so; else moves
-  /// all of them towards validity. No valid neighbour becomes invalid: what tangles must not spread.
-  bool untangle(TriangleId t) {
-    std::vector<Way> ways;
-    if (mesh_.degree() > 2) {
-      ways.push_back([this, t] { return blend_interior(mesh_, t, options_.refit); });
-      ways.push_back([this, t] { return smooth_interior(mesh_, t, SmoothGoal::untangle, options_.refit); });
-    }
-    for (int e = 0; e < 3; ++e) {
-      const HalfEdgeId h = half_edge(t, e);
-      if (mesh_.twin(h) == none || mesh_.is_constrained(h)) continue;
-      for (const double keep : {0.5, 0.0})
-        ways.push_back([this, h, keep] { return straighten_edge(mesh_, h, keep, options_.refit); });
-      ways.push_back([this, h] { return smooth_edge(mesh_, h, SmoothGoal::untangle, options_.refit); });
-    }
-    bool moved = false;
-    for (const bool at_once : {true, false})
-      for (const Way& way : ways) {
-        const int before = count_invalid_across(t);
-        Transaction trial(mesh_);
-        const Refusal outcome = way();
-        if (outcome == Refusal::done && (count_invalid_across(t) > before || (at_once && !is_valid(t)))) continue;
-        if (!at_once || outcome == Refusal::done) note(outcome, moved);
-        if (outcome != Refusal::done) continue;
-        trial.commit();
-        if (is_valid(t)) return true;
-      }
-    return moved;
-  }
-  int count_invalid_across(TriangleId t) const {
-    int count = 0;
-    for (int e = 0; e < 3; ++e) {
-      const HalfEdgeId g = mesh_.twin(half_edge(t, e));
-      count += g != none && !is_valid(triangle_of(g));
-    }
-    return count;
-  }
-
-  /// Tries each way of smoothing, and takes the one that leaves the elements least curved, if that is less than now.
-  Refusal take_best(std::span<const TriangleId> elements, std::initializer_list<Way> ways) {
-    const auto worst = [&] {
-      double most = 0;
-      for (const TriangleId t : elements) most = std::max(most, excess(t));
-      return most;
-    };
-    double least = worst() * (1 - progress);
-    const Way* best = nullptr;
-    Refusal refusal = Refusal::would_invert;
-    for (const auto& way : ways) {
+      if (!mesh_.is_constrained(h)) continue;
+      const double before = std::max(moves_.excess(t), g == none ? 1.0 : moves_.excess(triangle_of(g)));
+      moves_.forget_touched();
       Transaction trial(mesh_);
-      const Refusal outcome = way();
-      if (outcome != Refusal::done) {
-        refusal = outcome;
-        continue;
-      }
-      const double now = worst();
-      if (now < least) least = now, best = &way;
+      const InsertResult result = split_edge(mesh_, h, 0.5);
+      if (result.refusal != Refusal::done) continue;
+      Star star;
+      find_star(mesh_, result.vertex, star);
+      std::vector<TriangleId> children;
+      for (const HalfEdgeId out : star.outgoing) children.push_back(triangle_of(out));
+      for (int round = 0; round < 3; ++round)
+        for (const TriangleId child : children)
+          if (!moves_.is_fine(child)) moves_.smooth_edges(child);
+      double now = 0;
+      for (const TriangleId child : children) now = std::max(now, moves_.excess(child));
+      if (!(now < before * (1 - progress))) continue;
+      if (!keep) return true;
+      trial.commit();
+      ++splits_;
+      is_changed_ = true;
+      split_off_.insert(split_off_.end(), children.begin(), children.end());
+      split_off_.insert(split_off_.end(), moves_.touched().begin(), moves_.touched().end());
+      return true;
     }
-    return best ? (*best)() : refusal;
+    return false;
+  }
+  /// Splits what splitting helps, of elements that have changed since it did not.
+  bool split_edges(const std::vector<TriangleId>& elements) {
+    split_off_.clear();
+    for (const TriangleId t : elements)
+      if (!unsplit_.contains(t) && !moves_.is_fine(t) && !split_helps(t, true)) unsplit_.insert(t);
+    suspects_.insert(suspects_.end(), split_off_.begin(), split_off_.end());
+    for (const TriangleId t : split_off_) unsplit_.erase(t);
+    return !split_off_.empty();
   }
 
-  void note(Refusal refusal, bool& moved) {
-    if (refusal == Refusal::done) {
-      ++smoothed_;
-      moved = true;
-    } else {
-      ++refusals_[describe(refusal)];
+  // -- what is left
+
+  void judge(const std::vector<TriangleId>& left) {
+    for (const TriangleId t : left) {
+      const Unmended reason = reason_of(t);
+      outcome_.unmended.push_back({t, centre_of(t), reason});
+      if (!is_valid(mesh_, t)) outcome_.invalid.push_back(t);
+      on_curves_ += has_constrained_edge(t);
+      needs_split_ += reason == Unmended::needs_split;
     }
   }
-
-  /// Splits the constrained edge of each element that smoothing could not mend.
-  void split_constrained() {
-    for (TriangleId t = 0, count = mesh_.triangle_slots(); t < count; ++t) {
-      if (excess(t) <= 1) continue;
-      for (int e = 0; e < 3; ++e) {
-        const HalfEdgeId h = half_edge(t, e);
-        if (!mesh_.is_constrained(h)) continue;
-        if (split_edge(mesh_, h, 0.5).refusal == Refusal::done) ++splits_;
-        break;
-      }
+  Unmended reason_of(TriangleId t) {
+    if (has_fixed_bad_corner(t)) return Unmended::smooth_corner;
+    const Point &a = mesh_.point(mesh_.corner(t, 0)), &b = mesh_.point(mesh_.corner(t, 1)),
+                &c = mesh_.point(mesh_.corner(t, 2));
+    const auto counts = std::tuple(moves_.edges_smoothed, moves_.refusals);
+    const bool helps = has_constrained_edge(t) && split_helps(t, false);
+    std::tie(moves_.edges_smoothed, moves_.refusals) = counts;
+    if (helps) return Unmended::needs_split;
+    return orient2d(a, b, c) > 0 ? Unmended::no_better_place : Unmended::turned_over;
+  }
+  /// A corner between two edges on curves is what these curves make it.
+  bool has_fixed_bad_corner(TriangleId t) const {
+    const int p = mesh_.degree();
+    for (int e = 0; e < 3; ++e) {
+      const HalfEdgeId out = half_edge(t, e), in = previous(out);
+      if (!mesh_.is_constrained(out) || !mesh_.is_constrained(in)) continue;
+      if (orient2d(mesh_.point(mesh_.edge_point(in, p - 1)), mesh_.point(mesh_.origin(out)),
+                   mesh_.point(mesh_.edge_point(out, 1))) <= 0)
+        return true;
     }
-    visits_.assign(at(mesh_.triangle_slots()), 0);
-    for (TriangleId t = 0; t < mesh_.triangle_slots(); ++t) enqueue(t);
+    return covers_smooth_corner(mesh_, t);
+  }
+  Point centre_of(TriangleId t) const {
+    std::array<Point, net_size(max_degree)> net;
+    mesh_.gather_points(t, net);
+    std::array<double, 2 * net_size(max_degree)> rows;
+    for (std::size_t k = 0; k < at(mesh_.net_size()); ++k) {
+      rows[2 * k] = net[k].x;
+      rows[2 * k + 1] = net[k].y;
+    }
+    std::array<double, 2> centre;
+    evaluate_net(mesh_.degree(), 2, {rows.data(), 2 * at(mesh_.net_size())}, {1.0 / 3, 1.0 / 3, 1.0 / 3}, centre);
+    return {centre[0], centre[1]};
   }
 
   Mesh& mesh_;
   const SmoothOptions& options_;
+  SmoothingMoves moves_;
   std::priority_queue<Entry> queue_;
-  std::vector<int> visits_;
-  std::map<std::string, long> refusals_;
-  long smoothed_ = 0, splits_ = 0;
+  std::vector<TriangleId> suspects_;   // all that were too curved or have been changed: no other one can be
+  std::vector<TriangleId> split_off_;  // what the splits of this round have made or changed
+  std::set<TriangleId> unsplit_;       // elements that a split does not help, as they are
+  std::vector<int> visits_, searches_;
+  std::vector<double> last_;  // excess after the last visit; 0: none
+  SmoothOutcome outcome_;
+  long visited_ = 0, splits_ = 0, on_curves_ = 0, needs_split_ = 0;
+  bool is_changed_ = false;
 };
 
 }  // namespace
+
+std::string describe(Unmended reason, const SmoothOptions& options) {
+  switch (reason) {
+    case Unmended::smooth_corner:
+      return "two edges on curves meet in it at 180 degrees or more; no place of its inner points helps";
+    case Unmended::needs_split:
+      return std::string("its edge on a curve is too long or too bent") + (options.split ? "" : "; --split would help");
+    case Unmended::turned_over:
+      return std::string("its straight triangle is turned over or flat") + (options.vertices && options.flips ? ""
+                                                                            : options.vertices ? "; --flips may help"
+                                                                            : options.flips
+                                                                                ? "; --vertices may help"
+                                                                                : "; --vertices or --flips may help");
+    case Unmended::no_better_place:
+      break;
+  }
+  return std::string("no better place was found for its inner points") +
+         (options.vertices ? "" : "; --vertices may help");
+}
 
 SmoothOutcome smooth_curves(Mesh& mesh, const SmoothOptions& options) { return Smoother(mesh, options).run(); }
 

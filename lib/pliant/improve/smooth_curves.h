@@ -1,21 +1,62 @@
 #pragma once  // lib/pliant/improve/smooth_curves.h: elements too curved, worst first (paper §5.3.4)
+#include <string>
+#include <vector>
+
+#include "pliant/geometry/optimal_placement.h"
 #include "pliant/mesh/mesh.h"
 #include "pliant/mesh/pass_report.h"
+#include "pliant/mesh/progress.h"
 #include "pliant/ops/outcome.h"
-#include "pliant/quality/element_quality.h"
+#include "pliant/quality/too_curved.h"
 
 namespace pliant {
 
 struct SmoothOptions {
   CurvatureBounds bounds;
-  bool split = false;   ///< split constrained edges of elements that nothing else can mend
-  int max_sweeps = 20;  ///< visits of one element
+  PlacementMeasure measure = PlacementMeasure::element;  ///< what optimal placement looks at
+  bool vertices = false;  ///< also move vertices that are on no curve, where edges alone do not help
+  bool flips = false;     ///< also flip edges of elements that are not valid
+  bool split = false;     ///< split constrained edges of elements that nothing else can mend
+  int max_sweeps = 20;    ///< visits of one element
   RefitOptions refit;
+  Progress* progress = nullptr;  ///< counts visits
 };
+
+/// Why an element stays too curved, or invalid.
+enum class Unmended {
+  smooth_corner,    ///< two edges on curves meet where det J <= 0, whatever moves
+  needs_split,      ///< splitting its edge on a curve helps
+  turned_over,      ///< its straight triangle is not counter-clockwise: a vertex is in a wrong place
+  no_better_place,  ///< nothing that was allowed makes it better
+};
+/// In a few words; of what would help only what `options` do not allow yet.
+std::string describe(Unmended reason, const SmoothOptions& options);
+
+struct UnmendedElement {
+  TriangleId element;  ///< in the mesh that the pass leaves
+  Point place;         ///< its centre
+  Unmended reason;
+};
+
 struct SmoothOutcome {
-  std::vector<TriangleId> invalid;  ///< elements left invalid (numbers in the compacted mesh)
+  std::vector<TriangleId> invalid;        ///< elements left invalid or degenerate, ascending
+  std::vector<UnmendedElement> unmended;  ///< elements left too curved, those among them, ascending
   PassReport report;
 };
+
+/// Visits the elements that are not fine, the worst first, by a priority queue on their excess (CurvatureTest). At a
+/// visit each free edge in turn, and the inside of the element, gets new places for its control points, one after the
+/// other: optimal placement from where they are, optimal placement by det J, or straightened by half or altogether.
+/// Where none helps, edges are flipped (`flips`) or vertices moved with the edges around them (`vertices`).
+///
+/// A change is kept only if the list of the excesses of all elements that it touches, sorted from the worst, falls
+/// lexicographically, by a hundredth at the first place where it differs; excesses below 1 count as 1. So the sorted
+/// list of the whole mesh falls with every change, and no sweep makes the worst element worse; no valid element becomes
+/// invalid unless another one becomes valid. An element is visited again as long as it, or an element beside it, has
+/// changed, at most `max_sweeps` times. It ends when no visit finds such a change.
+///
+/// Edges and vertices on curves stay as they are, but for knots inserted by `split`. Fields: TrialPatch::apply, flips.
+/// Elements may be invalid before; what is left invalid is told.
 SmoothOutcome smooth_curves(Mesh& mesh, const SmoothOptions& options = {});
 
 }  // namespace pliant

@@ -1,0 +1,102 @@
+#include <algorithm>  // lib/pliant/improve/search_places.cpp: where nothing else helps, a search by small steps
+#include <array>
+#include <functional>
+
+#include "pliant/improve/smoothing_moves.h"
+#include "pliant/ops/build_triangle.h"
+
+namespace pliant {
+namespace {
+
+constexpr double first_step = 0.1, last_step = 2e-3;  // relative to the element
+constexpr int most_steps = 400;
+constexpr double quarter = 0.70710678118654752;
+
+}  // namespace
+
+/// Pattern search (Hooke and Jeeves) for places of the element's own free points, by the very excesses that are to
+/// fall: optimal placement looks at one measure, which need not be the one that is exceeded.
+bool SmoothingMoves::search_places(TriangleId t) {
+  around_.assign(1, t);
+  movable_.clear();
+  const auto add = [this](TriangleId u) {
+    if (std::find(around_.begin(), around_.end(), u) == around_.end()) around_.push_back(u);
+  };
+  const auto free_edges = [&](TriangleId u) {
+    for (int e = 0; e < 3; ++e) {
+      const HalfEdgeId h = half_edge(u, e);
+      if (!is_free(h)) continue;
+      add(triangle_of(mesh_.twin(h)));
+      for (int k = 1; k < mesh_.degree(); ++k)
+        if (const std::pair point{mesh_.edge_point(h, k), false};
+            std::find(movable_.begin(), movable_.end(), point) == movable_.end())
+          movable_.push_back(point);
+    }
+  };
+  free_edges(t);
+  if (excess(t) >= tangled_excess)  // then the neighbours make room
+    for (int e = 0; e < 3; ++e)
+      if (is_free(half_edge(t, e))) free_edges(triangle_of(mesh_.twin(half_edge(t, e))));
+  Box box;
+  for (int c = 0; c < 3; ++c) {
+    const PointId v = mesh_.corner(t, c);
+    box.extend(mesh_.point(v));
+    if (!options_.vertices) continue;
+    find_star(mesh_, v, star_);
+    if (!star_.is_closed || is_on_curve(mesh_, star_)) continue;
+    for (const HalfEdgeId out : star_.outgoing) add(triangle_of(out));
+    movable_.emplace_back(v, true);
+  }
+  const InnerPoints inner = inner_points(mesh_, t);
+  for (int k = 0; k < interior_size(mesh_.degree()); ++k)
+    movable_.emplace_back(inner[static_cast<std::size_t>(k)], false);
+
+  trial_.capture(mesh_, around_);
+  std::vector<double> excesses, trial_excesses;
+  rate_each(excesses);
+  before_ = excesses;
+  std::sort(before_.begin(), before_.end(), std::greater<>());
+  best_ = before_;
+  constexpr std::array<Vector, 8> directions{{{1, 0},
+                                              {0, 1},
+                                              {-1, 0},
+                                              {0, -1},
+                                              {quarter, quarter},
+                                              {-quarter, quarter},
+                                              {-quarter, -quarter},
+                                              {quarter, -quarter}}};
+  int steps = 0;
+  for (double step = first_step; step > last_step && steps < most_steps; step /= 2)
+    for (bool found = true; found && steps < most_steps;) {
+      found = false;
+      for (const auto& [p, drags] : movable_)
+        for (const Vector& direction : directions) {
+          ++steps;
+          best_nets_ = trial_.nets();
+          const Vector shift = step * box.size() * direction;
+          if (drags)
+            trial_.drag(p, shift);
+          else
+            trial_.move(p, trial_.point(p) + shift);
+          trial_excesses = excesses;
+          for (std::size_t e = 0; e < trial_.count(); ++e)
+            if (trial_.has(e, p)) trial_excesses[e] = rating_of(e);
+          now_ = trial_excesses;
+          std::sort(now_.begin(), now_.end(), std::greater<>());
+          if (now_ < best_ && count_tangled(now_) <= count_tangled(before_)) {
+            best_ = now_;
+            excesses = trial_excesses;
+            found = true;
+            break;
+          }
+          trial_.set_nets(best_nets_);
+        }
+    }
+  if (!is_worth_it(best_, before_, before_.front() < tangled_excess ? least_long_gain : least_gain)) return false;
+  if (trial_.apply(mesh_, options_.refit, best_.front() < tangled_excess) != Refusal::done) return false;
+  touched_.insert(touched_.end(), around_.begin(), around_.end());
+  ++searches;
+  return true;
+}
+
+}  // namespace pliant

@@ -1,0 +1,69 @@
+#pragma once  // lib/pliant/improve/smoothing_moves.h: the ways to make an element less curved (private to
+              // smooth_curves)
+#include <map>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "pliant/improve/smooth_curves.h"
+#include "pliant/mesh/star.h"
+#include "pliant/ops/trial_patch.h"
+
+namespace pliant {
+
+/// What a change must lower an excess by, relative to it: a cheap one, and one that takes long to find.
+inline constexpr double least_gain = 0.01, least_long_gain = 0.05;
+/// Is `now` lexicographically below `before`, by this share at the first place that differs? Both are sorted from the
+/// greatest; of a tangled element's excess the share is of what lies above the valid ones.
+bool is_worth_it(std::span<const double> now, std::span<const double> before, double gain = least_gain);
+std::ptrdiff_t count_tangled(std::span<const double> excesses);
+
+/// Tries changes around one element, and keeps those that lower the sorted excesses of all elements changed
+/// (smooth_curves).
+class SmoothingMoves {
+ public:
+  SmoothingMoves(Mesh& mesh, const SmoothOptions& options);
+
+  double excess(TriangleId t) const;
+  bool is_fine(TriangleId t) const;
+
+  /// Each returns true if something changed; `touched` says which elements did.
+  bool smooth_edges(TriangleId t);
+  bool flip_edges(TriangleId t);
+  bool move_vertices(TriangleId t);
+  bool search_places(TriangleId t);
+  const std::vector<TriangleId>& touched() const { return touched_; }
+  void forget_touched() { touched_.clear(); }
+
+  long edges_smoothed = 0, flips = 0, vertices_moved = 0, searches = 0;
+  std::map<std::string, long> refusals;
+
+ private:
+  template <class... Ways>
+  bool take_best(double gain, std::span<const TriangleId> elements, const Ways&... ways);
+  double rating_of(std::size_t e) const;
+  void rate_each(std::vector<double>& excesses) const;
+  void rate(std::vector<double>& excesses) const;  // and sorts
+  bool place(std::span<const PointId> points, SmoothGoal goal, int rounds = 1);
+  bool is_free(HalfEdgeId h) const;
+  bool smooth_edge(HalfEdgeId h);
+  bool smooth_all_edges(TriangleId t, bool straighten);
+  bool smooth_interior(TriangleId t);
+  bool move_vertex(PointId v, const Vector& away);
+  Vector shift_of(PointId v) const;
+
+  Mesh& mesh_;
+  const SmoothOptions& options_;
+  CurvatureTest test_, content_test_;
+  TrialPatch trial_;
+  TrialPatch::Nets best_nets_;
+  std::vector<double> before_, now_, best_;
+  std::vector<TriangleId> touched_, around_;
+  std::vector<PointId> points_;
+  std::vector<std::pair<PointId, bool>> movable_;  // by search_places: a point, and whether it drags others along
+  Star star_;
+  bool is_tangled_ = false;  // some element on trial, before
+};
+
+}  // namespace pliant

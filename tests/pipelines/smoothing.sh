@@ -1,0 +1,48 @@
+#!/usr/bin/env bash
+# Tangled meshes through smoothcurves: what it mends, what it refuses to write, what it says, and MSH in and out.
+. "$(dirname "${BASH_SOURCE[0]}")/common.bash"
+for tool in bspline2mesh refine advect smoothcurves qualityreport import-msh export-msh; do has_tool "$tool" || exit 77; done
+
+# invalid FILE: how many elements are not valid.
+invalid() { qualityreport --format json "$1" | grep -o '"invalid":[0-9]*' | cut -d: -f2; }
+
+bspline2mesh "$SOURCE/samples/three-cells/cells.json" | refine --size 0.08 -o cells.json
+w='max(0,1-4*((x+3.2)^2+(y-0.5)^2))^2'
+stir() { advect --vx="-(y-0.5)*$1*$w" --vy="(x+3.2)*$1*$w" --dt 1 --substeps 8 --force -q cells.json; }
+
+# A mesh that is not too curved passes byte for byte.
+run 0 smoothcurves cells.json
+same out cells.json
+
+stir 5 >vortex.json
+[ "$(invalid vortex.json)" -gt 0 ] || fail 'the vortex tangles nothing'
+run 4 smoothcurves --max-sweeps 1 -o absent.json vortex.json
+says 'elements stay invalid; --keep-going writes the mesh all the same'
+says '  element '
+[ ! -e absent.json ] || fail 'a mesh with invalid elements was written'
+run 0 smoothcurves --max-sweeps 1 --keep-going -o kept.json vortex.json
+[ "$(invalid kept.json)" -gt 0 ] || fail 'nothing was left to keep'
+for options in '--vertices' '--vertices --flips' '--vertices --flips --split' '--vertices --measure control'; do
+  # shellcheck disable=SC2086
+  run 0 smoothcurves $options -o smooth.json vortex.json
+  [ "$(invalid smooth.json)" = 0 ] || fail "$options leaves invalid elements"
+  qualityreport --fail-if 'faults > 0' smooth.json >/dev/null || fail "$options leaves faults"
+done
+
+# The report has the counts and, of what stays too curved, the places.
+run 0 smoothcurves --keep-going --report report.json -o smooth.json vortex.json
+for name in too_curved edges_smoothed vertices_moved flips splits still_curved needs_split invalid; do
+  grep -q "\"$name\":" report.json || fail "no $name in the report"
+done
+
+# Gmsh's users: MSH in, MSH out.
+export-msh -o bad.msh vortex.json
+import-msh bad.msh 2>/dev/null | smoothcurves --vertices | export-msh -o good.msh || fail 'the pipe from MSH to MSH'
+import-msh good.msh >good.json 2>/dev/null || fail 'good.msh is not read'
+[ "$(invalid good.json)" = 0 ] || fail 'good.msh has invalid elements'
+
+# Wrong usage.
+run 2 smoothcurves --min-scaled-jacobian 1 cells.json
+says '--min-scaled-jacobian must be below 1'
+run 2 smoothcurves --measure area cells.json
+finish
