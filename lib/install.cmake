@@ -8,7 +8,10 @@ target_link_libraries(pliant INTERFACE pliant_generate pliant_flow pliant_format
 install(TARGETS pliant pliant_geometry pliant_boundary pliant_mesh pliant_ops pliant_quality pliant_flow pliant_improve
                 pliant_generate pliant_formats
         EXPORT pliantTargets)
-install(DIRECTORY ${CMAKE_CURRENT_LIST_DIR}/pliant DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.h")
+# The global smoother stays with its tool: who used the package would need Ceres, and its licence.
+install(DIRECTORY ${CMAKE_CURRENT_LIST_DIR}/pliant DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.h"
+        PATTERN "smooth_globally.h" EXCLUDE PATTERN "minimize_deformation.h" EXCLUDE
+        PATTERN "deformation_energy.h" EXCLUDE PATTERN "free_points.h" EXCLUDE PATTERN "wanted_shapes.h" EXCLUDE)
 # In the tree and installed, these are included as "formats/mesh_json.h".
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/formats DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/pliant
         FILES_MATCHING PATTERN "*.h")

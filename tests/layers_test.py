@@ -25,7 +25,7 @@ FLOOR = {folder: height for height, floor in enumerate(FLOORS) for folder in flo
 ROOMS = [
     (re.compile(r"Eigen/|eigen3/"), {"geometry", "boundary", "mesh", "ops", "quality", "flow", "fem", "improve"}, False),
     (re.compile(r"boost/"), {"geometry"}, False),
-    (re.compile(r"ceres/"), {"improve"}, False),
+    (re.compile(r"ceres/|glog/"), {"improve"}, False),
     (re.compile(r"nlohmann/|simdjson|tiny_gltf|expat"), {"formats"}, False),
     (re.compile(r"muParser"), {"tools"}, False),
     (re.compile(r"CLI/"), {"tools"}, True),
