@@ -141,7 +141,8 @@ void add_common_options(CLI::App& app, ToolOptions& options, bool with_report) {
         ->type_name("FILE");
   auto* quiet = app.add_flag("-q,--quiet", options.quiet, "no messages");
   app.add_flag("-v,--verbose", options.verbose, "say what was done")->excludes(quiet);
-  app.set_version_flag("--version", app.get_name() + " (Pliant) " PLIANT_VERSION);
+  if (app.get_version_ptr() == nullptr)  // else the tool has more to say
+    app.set_version_flag("--version", app.get_name() + " (Pliant) " PLIANT_VERSION);
 }
 
 int run_tool(CLI::App& app, int argc, char** argv, ToolOptions& options, const std::function<int()>& body) {

@@ -6,6 +6,7 @@
 
 #include "criteria_options.h"
 #include "filter.h"
+#include "global_smoothing.h"
 #include "pliant/improve/smooth_curves.h"  // tools/smoothcurves.cpp
 #include "progress_line.h"
 #include "refit_option.h"
@@ -15,7 +16,7 @@ namespace {
 using namespace pliant;
 
 /// The first of the elements that stay invalid, a line each: which, where, and why.
-std::string list_elements(const SmoothOutcome& outcome, const SmoothOptions& options) {
+std::string list_invalid(const SmoothOutcome& outcome, const SmoothMeans& means) {
   constexpr std::size_t most = 20;
   std::string text;
   std::size_t count = 0;
@@ -24,7 +25,7 @@ std::string list_elements(const SmoothOutcome& outcome, const SmoothOptions& opt
     if (++count > most) continue;
     char line[96];
     std::snprintf(line, sizeof line, "\n  element %d at (%.6g, %.6g): ", left.element, left.place.x, left.place.y);
-    text += line + describe(left.reason, options);
+    text += line + describe(left.reason, means);
   }
   return count > most ? text + "\n  and " + std::to_string(count - most) + " more" : text;
 }
@@ -56,18 +57,20 @@ int main(int argc, char** argv) {
       ->check(CLI::IsMember({"element", "control"}))
       ->capture_default_str();
   app.add_flag("--vertices", options.vertices,
-               "also move vertices that are on no curve, where edges alone do not help");
+               "also move vertices that are on no curve, where edges alone do not help (with --global: all of them)");
   app.add_flag("--flips", options.flips, "also flip edges of elements that are not valid");
   app.add_option("--max-sweeps", options.max_sweeps, "visit an element at most N times")
       ->type_name("N")
       ->check(CLI::Range(1, 100000))
       ->capture_default_str();
   app.add_flag("--split", options.split, "split constrained edges of elements that smoothing cannot mend");
+  GlobalSmoothing global(app);
   app.add_flag("--keep-going", keep_going, "write the mesh also if elements stay invalid");
   add_projection_option(app, options.refit);
   FilterOptions filter;
   filter.accepts_tangled = true;
   filter.prepare = [&](const ToolOptions&) {
+    global.prepare();
     options.bounds.max_distortion = parse_positive("--max-distortion", distortion);
     options.bounds.max_peak = parse_positive("--max-peak", peak);
     options.bounds.min_shape_ratio = parse_positive("--min-shape-ratio", shape);
@@ -78,15 +81,19 @@ int main(int argc, char** argv) {
     if (options.bounds.max_distortion <= 1) throw UsageError("--max-distortion must be above 1");
     if (options.bounds.max_peak <= 1) throw UsageError("--max-peak must be above 1");
   };
+  const auto smooth = [&](Mesh& mesh) -> SmoothOutcome {
+    if (global.is_wanted()) return global.run(mesh, options.vertices, options.refit);
+    if (ProgressLine* line = ProgressLine::shown()) options.progress = line->counters();
+    return smooth_curves(mesh, options);
+  };
   return run_filter(
       app, argc, argv,
       [&](Mesh& mesh) {
-        if (ProgressLine* line = ProgressLine::shown()) options.progress = line->counters();
-        const SmoothOutcome outcome = smooth_curves(mesh, options);
+        const SmoothOutcome outcome = smooth(mesh);
         if (!outcome.invalid.empty() && !keep_going)
           throw NoResult(std::to_string(outcome.invalid.size()) +
                          " elements stay invalid; --keep-going writes the mesh all the same" +
-                         list_elements(outcome, options));
+                         list_invalid(outcome, {options.vertices, options.flips, options.split}));
         return outcome.report;
       },
       filter);

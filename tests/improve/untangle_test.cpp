@@ -173,8 +173,7 @@ TEST_CASE("why an element stays as it is, is told with what would help", "[impro
   REQUIRE(outcome.unmended.size() == outcome.invalid.size());
   for (const UnmendedElement& left : outcome.unmended) CHECK(left.reason == Unmended::turned_over);
   CHECK(describe(Unmended::turned_over, {}).find("--vertices or --flips") != std::string::npos);
-  SmoothOptions all;
-  all.vertices = all.flips = all.split = true;
+  const SmoothMeans all{true, true, true};
   for (const Unmended reason :
        {Unmended::smooth_corner, Unmended::needs_split, Unmended::turned_over, Unmended::no_better_place})
     CHECK(describe(reason, all).find("--") == std::string::npos);

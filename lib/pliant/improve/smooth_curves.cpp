@@ -8,8 +8,6 @@
 #include <tuple>
 #include <utility>
 
-#include "pliant/geometry/control_net.h"
-#include "pliant/geometry/predicates.h"
 #include "pliant/improve/smoothing_moves.h"
 #include "pliant/ops/build_triangle.h"
 #include "pliant/ops/insert_point.h"
@@ -64,7 +62,7 @@ class Smoother {
     report.add("triangles", mesh_.triangle_count());
     for (const auto& [reason, times] : moves_.refusals) report.refuse(reason, times);
     for (const UnmendedElement& element : outcome_.unmended)
-      report.refuse(describe(element.reason, options_), element.place);
+      report.refuse(describe(element.reason, {options_.vertices, options_.flips, options_.split}), element.place);
     return std::move(outcome_);
   }
 
@@ -178,46 +176,20 @@ class Smoother {
 
   void judge(const std::vector<TriangleId>& left) {
     for (const TriangleId t : left) {
-      const Unmended reason = reason_of(t);
-      outcome_.unmended.push_back({t, centre_of(t), reason});
+      UnmendedElement element = explain_unmended(mesh_, t);
+      if (element.reason != Unmended::smooth_corner && needs_split(t)) element.reason = Unmended::needs_split;
+      outcome_.unmended.push_back(element);
       if (!is_valid(mesh_, t)) outcome_.invalid.push_back(t);
       on_curves_ += has_constrained_edge(t);
-      needs_split_ += reason == Unmended::needs_split;
+      needs_split_ += element.reason == Unmended::needs_split;
     }
   }
-  Unmended reason_of(TriangleId t) {
-    if (has_fixed_bad_corner(t)) return Unmended::smooth_corner;
-    const Point &a = mesh_.point(mesh_.corner(t, 0)), &b = mesh_.point(mesh_.corner(t, 1)),
-                &c = mesh_.point(mesh_.corner(t, 2));
+  bool needs_split(TriangleId t) {
+    if (!has_constrained_edge(t)) return false;
     const auto counts = std::tuple(moves_.edges_smoothed, moves_.refusals);
-    const bool helps = has_constrained_edge(t) && split_helps(t, false);
+    const bool helps = split_helps(t, false);
     std::tie(moves_.edges_smoothed, moves_.refusals) = counts;
-    if (helps) return Unmended::needs_split;
-    return orient2d(a, b, c) > 0 ? Unmended::no_better_place : Unmended::turned_over;
-  }
-  /// A corner between two edges on curves is what these curves make it.
-  bool has_fixed_bad_corner(TriangleId t) const {
-    const int p = mesh_.degree();
-    for (int e = 0; e < 3; ++e) {
-      const HalfEdgeId out = half_edge(t, e), in = previous(out);
-      if (!mesh_.is_constrained(out) || !mesh_.is_constrained(in)) continue;
-      if (orient2d(mesh_.point(mesh_.edge_point(in, p - 1)), mesh_.point(mesh_.origin(out)),
-                   mesh_.point(mesh_.edge_point(out, 1))) <= 0)
-        return true;
-    }
-    return covers_smooth_corner(mesh_, t);
-  }
-  Point centre_of(TriangleId t) const {
-    std::array<Point, net_size(max_degree)> net;
-    mesh_.gather_points(t, net);
-    std::array<double, 2 * net_size(max_degree)> rows;
-    for (std::size_t k = 0; k < at(mesh_.net_size()); ++k) {
-      rows[2 * k] = net[k].x;
-      rows[2 * k + 1] = net[k].y;
-    }
-    std::array<double, 2> centre;
-    evaluate_net(mesh_.degree(), 2, {rows.data(), 2 * at(mesh_.net_size())}, {1.0 / 3, 1.0 / 3, 1.0 / 3}, centre);
-    return {centre[0], centre[1]};
+    return helps;
   }
 
   Mesh& mesh_;
@@ -235,25 +207,6 @@ class Smoother {
 };
 
 }  // namespace
-
-std::string describe(Unmended reason, const SmoothOptions& options) {
-  switch (reason) {
-    case Unmended::smooth_corner:
-      return "two edges on curves meet in it at 180 degrees or more; no place of its inner points helps";
-    case Unmended::needs_split:
-      return std::string("its edge on a curve is too long or too bent") + (options.split ? "" : "; --split would help");
-    case Unmended::turned_over:
-      return std::string("its straight triangle is turned over or flat") + (options.vertices && options.flips ? ""
-                                                                            : options.vertices ? "; --flips may help"
-                                                                            : options.flips
-                                                                                ? "; --vertices may help"
-                                                                                : "; --vertices or --flips may help");
-    case Unmended::no_better_place:
-      break;
-  }
-  return std::string("no better place was found for its inner points") +
-         (options.vertices ? "" : "; --vertices may help");
-}
 
 SmoothOutcome smooth_curves(Mesh& mesh, const SmoothOptions& options) { return Smoother(mesh, options).run(); }
 

@@ -1,8 +1,8 @@
 #pragma once  // lib/pliant/improve/smooth_curves.h: elements too curved, worst first (paper §5.3.4)
-#include <string>
 #include <vector>
 
 #include "pliant/geometry/optimal_placement.h"
+#include "pliant/improve/unmended.h"
 #include "pliant/mesh/mesh.h"
 #include "pliant/mesh/pass_report.h"
 #include "pliant/mesh/progress.h"
@@ -20,22 +20,6 @@ struct SmoothOptions {
   int max_sweeps = 20;    ///< visits of one element
   RefitOptions refit;
   Progress* progress = nullptr;  ///< counts visits
-};
-
-/// Why an element stays too curved, or invalid.
-enum class Unmended {
-  smooth_corner,    ///< two edges on curves meet where det J <= 0, whatever moves
-  needs_split,      ///< splitting its edge on a curve helps
-  turned_over,      ///< its straight triangle is not counter-clockwise: a vertex is in a wrong place
-  no_better_place,  ///< nothing that was allowed makes it better
-};
-/// In a few words; of what would help only what `options` do not allow yet.
-std::string describe(Unmended reason, const SmoothOptions& options);
-
-struct UnmendedElement {
-  TriangleId element;  ///< in the mesh that the pass leaves
-  Point place;         ///< its centre
-  Unmended reason;
 };
 
 struct SmoothOutcome {

@@ -1,0 +1,67 @@
+#!/usr/bin/env bash
+# smoothcurves --global: its options, what it leaves, its licence, and the build without Ceres.
+. "${BASH_SOURCE%/*}/common.bash"
+has_tool smoothcurves || exit 77
+
+# The build without: a clear refusal, and everything else.
+run 2 smoothcurves_without_ceres --global disk.json
+no_output
+says 'built without the global smoother'
+run 0 smoothcurves_without_ceres disk.json
+same out disk.json
+run 0 smoothcurves_without_ceres --version
+if grep -q GPL out || grep -q 'General Public' out; then fail "a licence that is not needed: $(cat out)"; fi
+
+smoothcurves --version | grep -q 'General Public License' || exit 77  # this build is without, too
+for option in '--good 0' '--good 1.1' '--good nan' '--rings -1'; do
+  run 2 smoothcurves --global $option disk.json
+  no_output
+done
+for option in '--good 0.5' '--rings 2'; do
+  run 2 smoothcurves $option disk.json
+  says '--global'
+done
+
+for option in '--split' '--flips' '--measure control' '--max-sweeps 3' '--max-turning 50'; do
+  # shellcheck disable=SC2086
+  run 2 smoothcurves --global $option disk.json
+  says '--global'
+done
+
+# Nothing is poor: byte for byte the same.
+run 0 smoothcurves --global --good 0.01 disk.json
+silent
+same out disk.json
+
+# A push that was too long, with edges alone and with vertices; the boundary of the disk stays valid.
+for tool in advect qualityreport refine; do has_tool "$tool" || exit 77; done
+refine --max-area 0.01 disk.json >fine.json
+flow='max(0,1-x^2-y^2)^2*0.06'
+advect --vx="-($flow)*cos(20*x)*sin(20*y)" --vy="($flow)*sin(20*x)*cos(20*y)" --dt 3 --force fine.json >far.json 2>/dev/null
+run 0 smoothcurves --global --report report.json far.json
+cp out smooth.json
+run 0 qualityreport --fail-if 'invalid > 0' smooth.json
+for name in iterations energy_before energy_after points_moved elements_smoothed before after; do
+  grep -q "\"$name\"" report.json || fail "no $name in the report: $(cat report.json)"
+done
+run 0 smoothcurves --global --vertices far.json
+cp out smooth.json
+run 0 qualityreport --fail-if 'invalid > 0' smooth.json
+
+# What stays invalid fails, and nothing is written unless it is asked for.
+sample_mesh tangled 1 >hopeless.json
+if ! qualityreport --fail-if 'invalid > 0' hopeless.json >/dev/null 2>&1; then
+  run 4 smoothcurves --global hopeless.json
+  no_output
+  says 'stay'
+  run 0 smoothcurves --global --keep-going hopeless.json
+fi
+
+# Ceres is in this tool alone.
+if command -v ldd >/dev/null; then
+  for tool in "${built[@]}"; do
+    [ "$tool" = smoothcurves ] && continue
+    if ldd "$(command -v "$tool")" | grep -Eq 'ceres|glog|cholmod'; then fail "$tool links Ceres"; fi
+  done
+fi
+finish

@@ -1,0 +1,29 @@
+#pragma once  // tools/global_smoothing.h: smoothcurves --global and its options, also in builds without the smoother
+#include <string>
+
+#include "pliant/improve/smooth_curves.h"
+#include "pliant/improve/smooth_globally.h"
+
+namespace CLI {
+class App;
+}
+
+namespace pliant {
+
+class GlobalSmoothing {
+ public:
+  /// Adds --global, which excludes the options of local smoothing (add them before), --good and --rings; sets --version
+  /// to say under which licence a binary with Ceres goes out.
+  explicit GlobalSmoothing(CLI::App& app);
+  bool is_wanted() const { return is_wanted_; }
+  /// Throws UsageError where --global was asked for and this binary was built without it, or a value is wrong.
+  void prepare();
+  SmoothOutcome run(Mesh& mesh, bool vertices, const RefitOptions& refit);
+
+ private:
+  bool is_wanted_ = false;
+  std::string good_ = "0.999";
+  GlobalSmoothOptions options_;
+};
+
+}  // namespace pliant
