@@ -54,6 +54,27 @@ TEST_CASE("an element is fine exactly if its excess is at most one, whichever wa
   if (degree > 1) CHECK(curved > 100);
 }
 
+TEST_CASE("how much fixed edges turn does not count, all else does", "[quality][property]") {
+  const int degree = GENERATE(range(2, 6));
+  std::mt19937_64 random(static_cast<std::uint64_t>(20 + degree));
+  int differ = 0;
+  for (int trial = 0; trial < 1000; ++trial) {
+    const Net net = random_net(degree, 0.4, random);
+    CurvatureBounds tight, loose;
+    tight.max_turning = 0.2;
+    loose.max_turning = 1e6;
+    const CurvatureTest test(degree, tight), without(degree, loose);
+    CAPTURE(degree, trial);
+    CHECK(test.excess(net, 7) == Approx(without.excess(net)).epsilon(1e-4));
+    const auto fixed = static_cast<unsigned>(random() % 8);
+    CHECK(test.excess(net, fixed) >= test.excess(net, 7) * (1 - 1e-9));
+    CHECK(test.excess(net, fixed) <= test.excess(net) * (1 + 1e-9));
+    if (test.is_surely_fine(net, fixed)) CHECK(test.excess(net, fixed) <= 1);
+    differ += test.excess(net, fixed) < 0.999 * test.excess(net);
+  }
+  CHECK(differ > 50);
+}
+
 TEST_CASE("the excess is the worst of the measures over their bounds, and above all valid elements if tangled",
           "[quality][property]") {
   const int degree = GENERATE(range(2, 6));

@@ -56,6 +56,7 @@ bool SmoothingMoves::search_places(TriangleId t) {
   rate_each(excesses);
   before_ = excesses;
   std::sort(before_.begin(), before_.end(), std::greater<>());
+  if (before_.front() <= 1) return false;
   best_ = before_;
   constexpr std::array<Vector, 8> directions{{{1, 0},
                                               {0, 1},

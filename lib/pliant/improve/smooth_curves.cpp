@@ -79,13 +79,13 @@ class Smoother {
     searches_.assign(at(mesh_.triangle_slots()), 0);
     last_.assign(at(mesh_.triangle_slots()), 0);
     for (const TriangleId t : elements)
-      if (const double excess = moves_.excess(t); excess > 1) queue_.push({excess, t});
+      if (const double excess = moves_.movable_excess(t); excess > 1) queue_.push({excess, t});
     while (!queue_.empty()) {
       const Entry entry = queue_.top();
       queue_.pop();
       const TriangleId t = entry.triangle;
       if (visits_[at(t)] >= options_.max_sweeps) continue;
-      const double before = moves_.excess(t);
+      const double before = moves_.movable_excess(t);
       if (before <= 1) continue;
       if (before < entry.excess) {  // better than when it was queued: its turn comes later
         queue_.push({before, t});
@@ -102,7 +102,7 @@ class Smoother {
   void visit(TriangleId t, double before) {
     moves_.forget_touched();
     bool changed = moves_.smooth_edges(t);
-    const auto is_mended = [&] { return moves_.excess(t) <= std::max(1.0, before * (1 - progress)); };
+    const auto is_mended = [&] { return moves_.movable_excess(t) <= std::max(1.0, before * (1 - progress)); };
     if (options_.flips && before >= tangled_excess && !is_mended()) changed = moves_.flip_edges(t) || changed;
     if (options_.vertices && !is_mended()) changed = moves_.move_vertices(t) || changed;
     if (!changed && (before >= tangled_excess || searches_[at(t)]++ < most_searches)) changed = moves_.search_places(t);
@@ -115,11 +115,10 @@ class Smoother {
     suspects_.insert(suspects_.end(), touched.begin(), touched.end());
     for (const TriangleId u : touched) unsplit_.erase(u);
     for (const TriangleId u : touched) {
-      if (moves_.is_fine(u)) continue;
-      const double excess = moves_.excess(u), last = last_[at(u)];
-      if (std::fabs(excess - last) > progress * last) queue_.push({excess, u});
+      const double excess = moves_.movable_excess(u), last = last_[at(u)];
+      if (excess > 1 && std::fabs(excess - last) > progress * last) queue_.push({excess, u});
     }
-    last_[at(t)] = moves_.excess(t);
+    last_[at(t)] = moves_.movable_excess(t);
   }
 
   std::vector<TriangleId> still_curved() const {
@@ -169,7 +168,9 @@ class Smoother {
       if (!unsplit_.contains(t) && !moves_.is_fine(t) && !split_helps(t, true)) unsplit_.insert(t);
     suspects_.insert(suspects_.end(), split_off_.begin(), split_off_.end());
     for (const TriangleId t : split_off_) unsplit_.erase(t);
-    return !split_off_.empty();
+    const bool any = !split_off_.empty();
+    split_off_.insert(split_off_.end(), elements.begin(), elements.end());  // what is beside them may help these
+    return any;
   }
 
   // -- what is left

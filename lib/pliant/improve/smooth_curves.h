@@ -31,13 +31,15 @@ struct SmoothOutcome {
 /// Visits the elements that are not fine, the worst first, by a priority queue on their excess (CurvatureTest). At a
 /// visit each free edge in turn, and the inside of the element, gets new places for its control points, one after the
 /// other: optimal placement from where they are, optimal placement by det J, or straightened by half or altogether.
-/// Where none helps, edges are flipped (`flips`) or vertices moved with the edges around them (`vertices`).
+/// Where none helps, edges are flipped (`flips`) or vertices moved with the edges around them (`vertices`); where that
+/// does not help, small steps of the element's own points are tried.
 ///
 /// A change is kept only if the list of the excesses of all elements that it touches, sorted from the worst, falls
-/// lexicographically, by a hundredth at the first place where it differs; excesses below 1 count as 1. So the sorted
-/// list of the whole mesh falls with every change, and no sweep makes the worst element worse; no valid element becomes
-/// invalid unless another one becomes valid. An element is visited again as long as it, or an element beside it, has
-/// changed, at most `max_sweeps` times. It ends when no visit finds such a change.
+/// lexicographically, by a hundredth at the first place where it differs (a twentieth where vertices move or after a
+/// search); excesses below 0.8 count as 0.8, and what edges on curves turn by does not count (movable_excess). So the
+/// sorted list of the whole mesh falls with every change, and no sweep makes the worst element worse; no valid element
+/// becomes invalid unless another one becomes valid. An element is visited again when its excess has changed
+/// by a hundredth, at most `max_sweeps` times. It ends when no visit finds a change to keep.
 ///
 /// Edges and vertices on curves stay as they are, but for knots inserted by `split`. Fields: TrialPatch::apply, flips.
 /// Elements may be invalid before; what is left invalid is told.

@@ -55,6 +55,19 @@ double SmoothingMoves::excess(TriangleId t) const {
   return test_.excess({net.data(), at(mesh_.net_size())});
 }
 
+double SmoothingMoves::movable_excess(TriangleId t) const {
+  std::array<Point, net_size(max_degree)> net;
+  mesh_.gather_points(t, net);
+  return test_.excess({net.data(), at(mesh_.net_size())}, fixed_edges(t));
+}
+
+unsigned SmoothingMoves::fixed_edges(TriangleId t) const {
+  unsigned fixed = 0;
+  for (int e = 0; e < 3; ++e)
+    if (mesh_.is_constrained(half_edge(t, e))) fixed |= 1u << e;
+  return fixed;
+}
+
 bool SmoothingMoves::is_fine(TriangleId t) const {
   std::array<Point, net_size(max_degree)> net;
   mesh_.gather_points(t, net);
@@ -63,7 +76,8 @@ bool SmoothingMoves::is_fine(TriangleId t) const {
 
 double SmoothingMoves::rating_of(std::size_t e) const {
   const auto net = trial_.net(e);
-  return content_test_.is_surely_fine(net) ? content : std::max(content, test_.excess(net));
+  const unsigned fixed = fixed_edges(trial_.element(e));
+  return content_test_.is_surely_fine(net, fixed) ? content : std::max(content, test_.excess(net, fixed));
 }
 
 void SmoothingMoves::rate_each(std::vector<double>& excesses) const {
@@ -123,7 +137,7 @@ bool SmoothingMoves::smooth_edges(TriangleId t) {
   changed = smooth_interior(t) || changed;
   for (int e = 0; e < 3; ++e)
     if (is_free(half_edge(t, e))) changed = smooth_edge(half_edge(t, e)) || changed;
-  return (!is_fine(t) && smooth_all_edges(t, false)) || changed;
+  return (movable_excess(t) > 1 && smooth_all_edges(t, false)) || changed;
 }
 
 bool SmoothingMoves::is_free(HalfEdgeId h) const {
@@ -193,7 +207,7 @@ bool SmoothingMoves::flip_edges(TriangleId t) {
     if (mesh_.twin(h) == none || mesh_.is_constrained(h)) continue;
     const TriangleId u = triangle_of(mesh_.twin(h));
     const auto rate_pair = [&](std::vector<double>& excesses) {
-      excesses = {std::max(content, excess(t)), std::max(content, excess(u))};
+      excesses = {std::max(content, movable_excess(t)), std::max(content, movable_excess(u))};
       sort_down(excesses);
     };
     rate_pair(before_);

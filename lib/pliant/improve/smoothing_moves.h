@@ -27,6 +27,8 @@ class SmoothingMoves {
 
   double excess(TriangleId t) const;
   bool is_fine(TriangleId t) const;
+  /// The excess as far as smoothing can change it: by how much edges on curves turn does not count.
+  double movable_excess(TriangleId t) const;
 
   /// Each returns true if something changed; `touched` says which elements did.
   bool smooth_edges(TriangleId t);
@@ -42,6 +44,7 @@ class SmoothingMoves {
  private:
   template <class... Ways>
   bool take_best(double gain, std::span<const TriangleId> elements, const Ways&... ways);
+  unsigned fixed_edges(TriangleId t) const;
   double rating_of(std::size_t e) const;
   void rate_each(std::vector<double>& excesses) const;
   void rate(std::vector<double>& excesses) const;  // and sorts

@@ -1,10 +1,12 @@
 #include "pliant/quality/too_curved.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
 #include "pliant/geometry/linear_triangle.h"
+#include "pliant/geometry/turning_angle.h"
 #include "pliant/quality/element_forms.h"
 #include "pliant/quality/element_quality.h"
 
@@ -24,6 +26,19 @@ bool is_turn_within(const Vector& from, const Vector& to, double least) {
   return signed_square >= (least * std::fabs(least) + margin) * squares;
 }
 
+double turning_of(int degree, std::span<const Point> net, unsigned fixed) {
+  if (fixed == 0) return element_turning(degree, net);
+  const NetLayout& layout = NetLayout::of(degree);
+  std::array<Point, max_degree + 1> polygon;
+  double largest = 0;
+  for (int e = 0; e < 3; ++e) {
+    if ((fixed >> e & 1) != 0) continue;
+    for (int k = 0; k <= degree; ++k) polygon[at(k)] = net[at(layout.edge_index(e, k))];
+    largest = std::max(largest, turning_angle(std::span(polygon).first(at(degree + 1))));
+  }
+  return largest;
+}
+
 }  // namespace
 
 CurvatureTest::CurvatureTest(int degree, const CurvatureBounds& bounds)
@@ -32,7 +47,7 @@ CurvatureTest::CurvatureTest(int degree, const CurvatureBounds& bounds)
       // A curve turns by no more than its polygon does in all (Bernstein polynomials diminish variation).
       least_cosine_(degree > 1 ? std::cos(std::min(bounds.max_turning / (degree - 1), std::numbers::pi)) : -1) {}
 
-double CurvatureTest::excess(std::span<const Point> net) const {
+double CurvatureTest::excess(std::span<const Point> net, unsigned fixed) const {
   ElementForms forms;
   element_forms(degree_, net, forms);
   if (!forms.is_finite) return HUGE_VAL;
@@ -41,7 +56,7 @@ double CurvatureTest::excess(std::span<const Point> net) const {
   const double logical = std::fabs(triangle_shape(net[0], net[1], net[2]));
   const double worst =
       std::max({(distortion(forms) - 1) / (bounds_.max_distortion - 1), jacobian_peak(forms) / bounds_.max_peak,
-                bounds_.min_shape_ratio * logical / shape, element_turning(degree_, net) / bounds_.max_turning});
+                bounds_.min_shape_ratio * logical / shape, turning_of(degree_, net, fixed) / bounds_.max_turning});
   const auto [least, most] = std::minmax_element(forms.jacobian.begin(), forms.jacobian.begin() + forms.size());
   // The coefficients bound it; where another measure is worse all the same, nearer bounds are not asked for.
   if (*least * worst >= bounds_.min_scaled_jacobian * *most) return std::min(worst, worst_valid);
@@ -50,7 +65,7 @@ double CurvatureTest::excess(std::span<const Point> net) const {
   return std::min(std::max(worst, bounds_.min_scaled_jacobian / scaled), worst_valid);
 }
 
-bool CurvatureTest::is_surely_fine(std::span<const Point> net) const {
+bool CurvatureTest::is_surely_fine(std::span<const Point> net, unsigned fixed) const {
   ElementForms forms;
   element_forms(degree_, net, forms);
   if (!forms.is_finite || forms.is_point) return false;
@@ -72,7 +87,7 @@ bool CurvatureTest::is_surely_fine(std::span<const Point> net) const {
     if (!(coefficients[n] - forms.error >= wanted * (forms.squares[n] + forms.error))) return false;
   const NetLayout& layout = NetLayout::of(degree_);
   for (int e = 0; e < 3; ++e)
-    for (int k = 1; k < degree_; ++k) {
+    for (int k = 1; k < degree_ && (fixed >> e & 1) == 0; ++k) {
       const auto leg = [&](int i) { return net[at(layout.edge_index(e, i + 1))] - net[at(layout.edge_index(e, i))]; };
       if (!is_turn_within(leg(k - 1), leg(k), least_cosine_)) return false;
     }

@@ -26,12 +26,13 @@ class CurvatureTest {
   /// by its bound (the distortion above 1 by its bound above 1; for the shape and the scaled Jacobian the bound by the
   /// measure). Of an element whose curved shape is
   /// not proved positive it is tangled_excess (1 - shape): so all elements are in one order, the tangled ones by how
-  /// far they are turned over. Infinite where control points are not finite.
-  double excess(std::span<const Point> net) const;
+  /// far they are turned over. Infinite where control points are not finite. By how much an edge of `fixed` (bit k: the
+  /// k-th) turns does not count.
+  double excess(std::span<const Point> net, unsigned fixed = 0) const;
   /// excess(net) <= 1, at a fraction of the cost where the bounds hold well.
   bool is_fine(std::span<const Point> net) const { return is_surely_fine(net) || excess(net) <= 1; }
-  /// Proves excess(net) <= 1 from the coefficients of det J, where these show it.
-  bool is_surely_fine(std::span<const Point> net) const;
+  /// Proves excess(net, fixed) <= 1 from the coefficients of det J, where these show it.
+  bool is_surely_fine(std::span<const Point> net, unsigned fixed = 0) const;
 
  private:
   int degree_;
