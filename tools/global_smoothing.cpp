@@ -11,7 +11,7 @@
 
 namespace pliant {
 
-GlobalSmoothing::GlobalSmoothing(CLI::App& app) {
+GlobalSmoothing::GlobalSmoothing(CLI::App& app) : app_(&app) {
 #ifdef PLIANT_CERES
   app.set_version_flag("--version",
                        app.get_name() +
@@ -22,9 +22,6 @@ GlobalSmoothing::GlobalSmoothing(CLI::App& app) {
 #endif
   CLI::Option* global =
       app.add_flag("--global", is_wanted_, "move all inner control points at once, towards the least deformation");
-  for (const char* local : {"--max-distortion", "--max-peak", "--min-shape-ratio", "--max-turning",
-                            "--min-scaled-jacobian", "--measure", "--flips", "--max-sweeps", "--split"})
-    global->excludes(app.get_option(local));
   app.add_option("--good", good_,
                  "with --global: elements with a scaled Jacobian of at least S, away from others, stay")
       ->type_name("S")
@@ -39,6 +36,10 @@ GlobalSmoothing::GlobalSmoothing(CLI::App& app) {
 
 void GlobalSmoothing::prepare() {
   if (!is_wanted_) return;
+  for (const char* local : {"--max-distortion", "--max-peak", "--min-shape-ratio", "--max-turning",
+                            "--min-scaled-jacobian", "--measure", "--flips", "--max-sweeps", "--split"})
+    if (app_->get_option(local)->count() > 0)
+      throw UsageError(std::string(local) + " does not go with --global: it is for smoothing edge by edge");
 #ifndef PLIANT_CERES
   throw UsageError("--global: this smoothcurves was built without the global smoother (PLIANT_CERES=OFF)");
 #endif

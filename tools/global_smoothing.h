@@ -12,15 +12,16 @@ namespace pliant {
 
 class GlobalSmoothing {
  public:
-  /// Adds --global, which excludes the options of local smoothing (add them before), --good and --rings; sets --version
-  /// to say under which licence a binary with Ceres goes out.
+  /// Adds --global, --good and --rings; sets --version to say under which licence a binary with Ceres goes out.
   explicit GlobalSmoothing(CLI::App& app);
   bool is_wanted() const { return is_wanted_; }
-  /// Throws UsageError where --global was asked for and this binary was built without it, or a value is wrong.
+  /// Throws UsageError where --global was asked for and this binary was built without it, a value is wrong, or an
+  /// option of local smoothing was given with it.
   void prepare();
   SmoothOutcome run(Mesh& mesh, bool vertices, const RefitOptions& refit);
 
  private:
+  CLI::App* app_;
   bool is_wanted_ = false;
   std::string good_ = "0.999";
   GlobalSmoothOptions options_;
