@@ -85,6 +85,9 @@ TEST_CASE("what a vortex has tangled gets valid: by edges, and where it moved ve
   std::sort(all.begin(), all.end());
   CHECK(outcome.invalid == all);
   if (options.vertices) CHECK(all.empty());
+  const int turned_over = count_turned_over(was);
+  REQUIRE(turned_over > 0);
+  CHECK(count_turned_over(mesh) <= turned_over - (options.vertices ? 1 : 0));
   for (const Fault& fault : check_mesh(mesh)) FAIL_CHECK(fault.place << ": " << fault.text);
   check_boundary_kept(mesh, was);
   CHECK(area_of(mesh) == Approx(double(side) * side).epsilon(1e-12));

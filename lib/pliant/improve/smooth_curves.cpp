@@ -16,8 +16,8 @@ namespace pliant {
 namespace {
 
 constexpr double progress = 1e-2;  // an element whose excess fell by this much (relative) is visited again
-constexpr int most_split_rounds = 10;
-constexpr int most_searches = 4;  // of a valid element: they cost more than all the rest
+constexpr int most_rounds = 10;    // of splits, or of straight triangles turned back
+constexpr int most_searches = 4;   // of a valid element: they cost more than all the rest
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
@@ -38,10 +38,11 @@ class Smoother {
     for (TriangleId t = 0; t < mesh_.triangle_slots(); ++t)
       if (mesh_.is_alive(t) && !moves_.is_fine(t)) suspects_.push_back(t);
     const std::size_t too_curved = suspects_.size();
-    if (too_curved > 0) {
-      work(suspects_);
+    work(suspects_);
+    for (int round = 0; round < most_rounds && turn_back(); ++round) work(suspects_);
+    if (!suspects_.empty()) {
       std::vector<TriangleId> left = still_curved();
-      for (int round = 0; options_.split && round < most_split_rounds && split_edges(left); ++round) {
+      for (int round = 0; options_.split && round < most_rounds && split_edges(left); ++round) {
         work(split_off_);
         left = still_curved();
       }
@@ -54,6 +55,7 @@ class Smoother {
     report.add("vertices_moved", static_cast<double>(moves_.vertices_moved));
     report.add("searches", static_cast<double>(moves_.searches));
     report.add("flips", static_cast<double>(moves_.flips));
+    report.add("turned_back", static_cast<double>(turned_back_));
     report.add("splits", static_cast<double>(splits_));
     report.add("still_curved", static_cast<double>(outcome_.unmended.size()));
     report.add("still_curved_on_curves", static_cast<double>(on_curves_));
@@ -97,6 +99,21 @@ class Smoother {
     }
     std::sort(suspects_.begin(), suspects_.end());
     suspects_.erase(std::unique(suspects_.begin(), suspects_.end()), suspects_.end());
+  }
+
+  /// Turns straight triangles back where vertices or flips are allowed; true if any was.
+  bool turn_back() {
+    if (!options_.vertices && !options_.flips) return false;
+    const std::size_t before = suspects_.size();
+    for (TriangleId t = 0; t < mesh_.triangle_slots(); ++t) {
+      if (!mesh_.is_alive(t) || !moves_.is_turned_over(t)) continue;
+      moves_.forget_touched();
+      if (!moves_.turn_back(t)) continue;
+      ++turned_back_;
+      suspects_.insert(suspects_.end(), moves_.touched().begin(), moves_.touched().end());
+    }
+    is_changed_ = is_changed_ || suspects_.size() > before;
+    return suspects_.size() > before;
   }
 
   void visit(TriangleId t, double before) {
@@ -203,7 +220,7 @@ class Smoother {
   std::vector<int> visits_, searches_;
   std::vector<double> last_;  // excess after the last visit; 0: none
   SmoothOutcome outcome_;
-  long visited_ = 0, splits_ = 0, on_curves_ = 0, needs_split_ = 0;
+  long visited_ = 0, turned_back_ = 0, splits_ = 0, on_curves_ = 0, needs_split_ = 0;
   bool is_changed_ = false;
 };
 

@@ -16,8 +16,9 @@ struct SmoothOptions {
   PlacementMeasure measure = PlacementMeasure::element;  ///< what optimal placement looks at
   bool vertices = false;  ///< also move vertices that are on no curve, where edges alone do not help
   bool flips = false;     ///< also flip edges of elements that are not valid
-  bool split = false;     ///< split constrained edges of elements that nothing else can mend
-  int max_sweeps = 20;    ///< visits of one element
+  // With either, straight triangles that are turned over are turned back where no element is worse for it.
+  bool split = false;   ///< split constrained edges of elements that nothing else can mend
+  int max_sweeps = 20;  ///< visits of one element
   RefitOptions refit;
   Progress* progress = nullptr;  ///< counts visits
 };

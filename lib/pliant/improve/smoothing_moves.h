@@ -35,6 +35,9 @@ class SmoothingMoves {
   bool flip_edges(TriangleId t);
   bool move_vertices(TriangleId t);
   bool search_places(TriangleId t);
+  /// Of an element whose straight triangle is turned over, by what the options allow: fewer are, no element is worse.
+  bool turn_back(TriangleId t);
+  bool is_turned_over(TriangleId t) const;
   const std::vector<TriangleId>& touched() const { return touched_; }
   void forget_touched() { touched_.clear(); }
 
@@ -55,6 +58,8 @@ class SmoothingMoves {
   bool smooth_interior(TriangleId t);
   bool move_vertex(PointId v, const Vector& away);
   Vector shift_of(PointId v) const;
+  bool turn_back_by_vertex(PointId v);
+  bool turn_back_by_flip(HalfEdgeId h);
 
   Mesh& mesh_;
   const SmoothOptions& options_;
