@@ -1,29 +1,12 @@
 // tests/geometry/placement_allocation_test.cpp: placement allocates nothing once its scratch memory has grown
-#include <atomic>
 #include <catch2/catch.hpp>
-#include <cstdlib>
 #include <vector>
 
 #include "pliant/geometry/optimal_placement.h"
+#include "support/counted_malloc.h"
 #include "support/placement_stars.h"
 
-// What the C library's malloc is asked for; sanitizers have one of their own.
-#if defined(__has_feature)
-#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
-#define PLIANT_OWN_MALLOC
-#endif
-#endif
-#if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) && !defined(PLIANT_OWN_MALLOC)
-
-namespace {
-std::atomic<long> allocations{0};
-}
-
-extern "C" void* __libc_malloc(std::size_t);  // NOLINT: glibc names it
-extern "C" void* malloc(std::size_t size) noexcept {
-  ++allocations;
-  return __libc_malloc(size);
-}
+#ifdef PLIANT_COUNTS_MALLOC
 
 using namespace pliant;
 

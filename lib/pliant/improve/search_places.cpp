@@ -10,7 +10,7 @@ namespace {
 
 constexpr double first_step = 0.1, last_step = 2e-3;  // relative to the element
 constexpr int most_steps = 400;
-constexpr double quarter = 0.70710678118654752;
+constexpr double diagonal = 0.70710678118654752;
 
 }  // namespace
 
@@ -52,9 +52,8 @@ bool SmoothingMoves::search_places(TriangleId t) {
     movable_.emplace_back(inner[static_cast<std::size_t>(k)], false);
 
   trial_.capture(mesh_, around_);
-  std::vector<double> excesses, trial_excesses;
-  rate_each(excesses);
-  before_ = excesses;
+  rate_each(excesses_);
+  before_ = excesses_;
   std::sort(before_.begin(), before_.end(), std::greater<>());
   if (before_.front() <= 1) return false;
   best_ = before_;
@@ -62,10 +61,10 @@ bool SmoothingMoves::search_places(TriangleId t) {
                                               {0, 1},
                                               {-1, 0},
                                               {0, -1},
-                                              {quarter, quarter},
-                                              {-quarter, quarter},
-                                              {-quarter, -quarter},
-                                              {quarter, -quarter}}};
+                                              {diagonal, diagonal},
+                                              {-diagonal, diagonal},
+                                              {-diagonal, -diagonal},
+                                              {diagonal, -diagonal}}};
   int steps = 0;
   for (double step = first_step; step > last_step && steps < most_steps; step /= 2)
     for (bool found = true; found && steps < most_steps;) {
@@ -79,14 +78,14 @@ bool SmoothingMoves::search_places(TriangleId t) {
             trial_.drag(p, shift);
           else
             trial_.move(p, trial_.point(p) + shift);
-          trial_excesses = excesses;
+          trial_excesses_ = excesses_;
           for (std::size_t e = 0; e < trial_.count(); ++e)
-            if (trial_.has(e, p)) trial_excesses[e] = rating_of(e);
-          now_ = trial_excesses;
+            if (trial_.has(e, p)) trial_excesses_[e] = rating_of(e);
+          now_ = trial_excesses_;
           std::sort(now_.begin(), now_.end(), std::greater<>());
           if (now_ < best_ && count_tangled(now_) <= count_tangled(before_)) {
             best_ = now_;
-            excesses = trial_excesses;
+            excesses_ = trial_excesses_;
             found = true;
             break;
           }

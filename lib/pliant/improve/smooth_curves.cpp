@@ -17,6 +17,7 @@ namespace {
 
 constexpr double progress = 1e-2;  // an element whose excess fell by this much (relative) is visited again
 constexpr int most_rounds = 10;    // of splits, or of straight triangles turned back
+constexpr int child_rounds = 3;    // of smoothing the elements that a split makes
 constexpr int most_searches = 4;   // of a valid element: they cost more than all the rest
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
@@ -77,6 +78,7 @@ class Smoother {
 
   /// Visits these elements, and what their change makes worth a visit, until nothing improves.
   void work(std::span<const TriangleId> elements) {
+    if (elements.empty()) return;
     visits_.assign(at(mesh_.triangle_slots()), 0);
     searches_.assign(at(mesh_.triangle_slots()), 0);
     last_.assign(at(mesh_.triangle_slots()), 0);
@@ -162,7 +164,7 @@ class Smoother {
       find_star(mesh_, result.vertex, star);
       std::vector<TriangleId> children;
       for (const HalfEdgeId out : star.outgoing) children.push_back(triangle_of(out));
-      for (int round = 0; round < 3; ++round)
+      for (int round = 0; round < child_rounds; ++round)
         for (const TriangleId child : children)
           if (!moves_.is_fine(child)) moves_.smooth_edges(child);
       double now = 0;

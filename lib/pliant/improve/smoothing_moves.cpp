@@ -240,13 +240,13 @@ bool SmoothingMoves::move_vertices(TriangleId t) {
 }
 
 /// From a vertex to the best place of the straight triangles of its star.
-Vector SmoothingMoves::shift_of(PointId v) const {
-  std::vector<std::array<Point, 3>> triangles;
+Vector SmoothingMoves::shift_of(PointId v) {
+  triangles_.clear();
+  straight_.clear();
   for (const HalfEdgeId h : star_.outgoing)
-    triangles.push_back({mesh_.point(v), mesh_.point(mesh_.target(h)), mesh_.point(mesh_.apex(h))});
-  std::vector<PlacementElement> elements;
-  for (const auto& triangle : triangles) elements.push_back({triangle, 0});
-  const Placement best = improve_point(1, elements, mesh_.point(v));
+    triangles_.push_back({mesh_.point(v), mesh_.point(mesh_.target(h)), mesh_.point(mesh_.apex(h))});
+  for (const auto& triangle : triangles_) straight_.push_back({triangle, 0});
+  const Placement best = improve_point(1, straight_, mesh_.point(v));
   return is_finite(best.place) ? best.place - mesh_.point(v) : Vector{};
 }
 

@@ -1,5 +1,6 @@
 #pragma once  // lib/pliant/improve/smoothing_moves.h: the ways to make an element less curved (private to
               // smooth_curves)
+#include <array>
 #include <map>
 #include <span>
 #include <string>
@@ -57,7 +58,7 @@ class SmoothingMoves {
   bool smooth_all_edges(TriangleId t, bool straighten);
   bool smooth_interior(TriangleId t);
   bool move_vertex(PointId v, const Vector& away);
-  Vector shift_of(PointId v) const;
+  Vector shift_of(PointId v);
   bool turn_back_by_vertex(PointId v);
   bool turn_back_by_flip(HalfEdgeId h);
 
@@ -66,7 +67,9 @@ class SmoothingMoves {
   CurvatureTest test_, content_test_;
   TrialPatch trial_;
   TrialPatch::Nets best_nets_;
-  std::vector<double> before_, now_, best_;
+  std::vector<double> before_, now_, best_, excesses_, trial_excesses_;
+  std::vector<std::array<Point, 3>> triangles_;  // of shift_of
+  std::vector<PlacementElement> straight_;
   std::vector<TriangleId> touched_, around_;
   std::vector<PointId> points_;
   std::vector<std::pair<PointId, bool>> movable_;  // by search_places: a point, and whether it drags others along

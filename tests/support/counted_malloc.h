@@ -1,0 +1,24 @@
+#pragma once  // tests/support/counted_malloc.h: counts what malloc is asked for; for one source of a program
+#include <atomic>
+#include <cstdlib>
+
+// `new` and Eigen ask it, too. Sanitizers have a malloc of their own.
+#if defined(__has_feature)
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
+#define PLIANT_OWN_MALLOC
+#endif
+#endif
+#if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) && !defined(PLIANT_OWN_MALLOC)
+#define PLIANT_COUNTS_MALLOC
+
+namespace {
+std::atomic<long> allocations{0};
+}
+
+extern "C" void* __libc_malloc(std::size_t);  // NOLINT: glibc names it
+extern "C" void* malloc(std::size_t size) noexcept {
+  ++allocations;
+  return __libc_malloc(size);
+}
+
+#endif
