@@ -11,11 +11,10 @@
 #if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) && !defined(PLIANT_OWN_MALLOC)
 #define PLIANT_COUNTS_MALLOC
 
-namespace {
-std::atomic<long> allocations{0};
-}
+inline std::atomic<long> allocations{0};
 
 extern "C" void* __libc_malloc(std::size_t);  // NOLINT: glibc names it
+// NOLINTNEXTLINE(misc-definitions-in-headers): one source of a program includes this
 extern "C" void* malloc(std::size_t size) noexcept {
   ++allocations;
   return __libc_malloc(size);
