@@ -81,6 +81,10 @@ Criteria read_criteria(JsonReader& in) {
       criteria.max_turning = read_positive(in);
     } else if (name == "min_size") {
       criteria.min_size = read_positive(in);
+    } else if (name == "thin") {
+      const std::string thin = in.string();
+      if (thin != "keep" && thin != "refine") in.fail("expected \"keep\" or \"refine\"");
+      criteria.keeps_thin = thin == "keep";
     } else {
       return false;
     }
@@ -154,6 +158,7 @@ void write_criteria(JsonWriter& out, const Criteria& criteria) {
   if (criteria.size_field) out.name("size_field").value(*criteria.size_field);
   if (criteria.max_turning) out.name("max_turning").value(*criteria.max_turning);
   if (criteria.min_size) out.name("min_size").value(*criteria.min_size);
+  if (criteria.keeps_thin) out.name("thin").value(*criteria.keeps_thin ? "keep" : "refine");
   out.members(criteria.extra);
   out.end_object();
 }

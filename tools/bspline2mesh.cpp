@@ -1,3 +1,4 @@
+// tools/bspline2mesh.cpp: from boundary documents to meshes: check, generate, refine
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <stdexcept>
@@ -9,7 +10,7 @@
 #include "formats/mesh_json.h"
 #include "pliant/boundary/arrangement.h"
 #include "pliant/boundary/check_boundary.h"
-#include "pliant/generate/mesh_from_boundary.h"  // tools/bspline2mesh.cpp
+#include "pliant/generate/mesh_from_boundary.h"
 #include "pliant/improve/refine.h"
 #include "pliant/improve/share_bends.h"
 #include "pliant/improve/straighten_edges.h"
@@ -52,15 +53,19 @@ void require_boundary(const BoundaryComplex& boundary) {
 }
 
 /// Refines to the criteria of the options and of the document; writes them into it.
-void refine_to(Mesh& mesh, const CriteriaOptions& criteria, PassReport& report) {
+void refine_to(Mesh& mesh, const CriteriaOptions& criteria, const ToolOptions& tool, long max_triangles,
+               PassReport& report) {
   RefineOptions options;
+  options.max_triangles = max_triangles;
   options.goals = criteria.goals(mesh, compile_size);
+  warn_of_thin_gaps(tool, mesh, options.goals);
   options.progress = start_refinement(mesh, options.goals);
   if (!mesh.criteria.min_angle) mesh.criteria.min_angle = options.goals.min_angle;
   options.refit.straight_below = 0.05;  // inner edges become straight in the end
   PassReport refined = refine(mesh, options);
   report.values.insert(report.values.end(), refined.values.begin(), refined.values.end());
-  for (const auto& [reason, times] : refined.refusals) report.refuse(reason, times);
+  report.refusals.insert(report.refusals.end(), refined.refusals.begin(), refined.refusals.end());
+  report.refused_at.insert(report.refused_at.end(), refined.refused_at.begin(), refined.refused_at.end());
   report.notes.insert(report.notes.end(), refined.notes.begin(), refined.notes.end());
   if (ProgressLine* line = ProgressLine::shown()) line->stage("straighten");
   const StraightenCounts edges = straighten_edges(mesh);
@@ -78,6 +83,7 @@ int main(int argc, char** argv) {
   CriteriaOptions criteria;
   FieldOption fields;
   std::string time_text = "0", degree_text;
+  long max_triangles = RefineOptions().max_triangles;
   bool no_refine = false, resolves = false;
   add_common_options(app, options);
   app.add_option("--degree", degree_text, "degree of the mesh, 1 to 10; default: the curves' greatest, at least 2")
@@ -85,6 +91,7 @@ int main(int argc, char** argv) {
   app.add_flag("--resolve", resolves,
                "let curves cross, touch and overlap: cut them there; later faces lie over earlier ones");
   criteria.add(app, false);
+  add_max_triangles(app, max_triangles);
   app.add_flag("--no-refine", no_refine, "keep the first valid mesh, whatever the criteria");
   fields.add(app);
   app.add_option("--time", time_text, "time of the mesh")->type_name("T")->capture_default_str();
@@ -125,7 +132,7 @@ int main(int argc, char** argv) {
       if (no_refine)
         criteria.apply(mesh.criteria, mesh.boundary());
       else
-        refine_to(mesh, criteria, outcome.report);
+        refine_to(mesh, criteria, options, max_triangles, outcome.report);
       const double refined = watch.lap();
       line.stage("write");
       fields.apply(mesh);

@@ -8,8 +8,26 @@
 
 #include "expression.h"
 #include "filter.h"
+#include "pliant/boundary/boundary_spans.h"
+#include "pliant/improve/thin_gaps.h"
 
 namespace pliant {
+
+namespace {
+
+/// A size must be a length at every vertex; infinite asks for nothing.   Throws std::invalid_argument with the place
+void require_lengths(const Mesh& mesh, const SizeFunction& size) {
+  for (PointId v = 0; v < mesh.point_slots(); ++v) {
+    if (!mesh.is_vertex(v)) continue;
+    const double wanted = size(mesh.point(v), mesh.time);
+    if (!(wanted > 0))
+      throw std::invalid_argument("the wanted length is " +
+                                  (std::isnan(wanted) ? "no number" : describe_number(wanted)) + " at " +
+                                  describe_point(mesh.point(v)) + "; it should be above zero");
+  }
+}
+
+}  // namespace
 
 SizeFunction compile_size(const std::string& text) {
   return [size = Expression(text)](const Point& p, double time) { return size(p.x, p.y, time); };
@@ -38,6 +56,22 @@ std::pair<std::string, double> parse_named_number(const std::string& option, con
   return {text.substr(0, equals), parse_positive(option, text.substr(equals + 1))};
 }
 
+void add_max_triangles(CLI::App& app, long& most) {
+  app.add_option("--max-triangles", most, "stop, without a result, where a mesh would have more than N triangles")
+      ->type_name("N")
+      ->check(CLI::Range(1L, 2000000000L).description(""))
+      ->capture_default_str();
+}
+
+void warn_of_thin_gaps(const ToolOptions& options, const Mesh& mesh, const QualityGoals& goals) {
+  constexpr double many = 100'000;
+  const ThinGaps gaps = find_thin_gaps(mesh, goals);
+  if (gaps.triangles < many) return;
+  say(options, "filling thin gaps takes some " + describe_number(std::round(gaps.triangles / 1000) * 1000) +
+                   " triangles, most of them near " + describe_point(gaps.thinnest) +
+                   "; --thin keep leaves such gaps in few long ones");
+}
+
 void CriteriaOptions::add(CLI::App& app, bool fields) {
   app.add_option("--min-angle", min_angle_text_, "least angle of a logical triangle, degrees; 0: any")
       ->type_name("DEG");
@@ -51,6 +85,10 @@ void CriteriaOptions::add(CLI::App& app, bool fields) {
   app.add_option("--max-turning", max_turning_text_, "greatest angle by which an edge turns, degrees")
       ->type_name("DEG");
   app.add_option("--min-size", min_size_text_, "no two vertices closer than this")->type_name("LENGTH");
+  app.add_option("--thin", thin_text_,
+                 "keep or refine triangles across gaps that are thin for the spans beside them; default: refine")
+      ->type_name("keep|refine")
+      ->check(CLI::IsMember({"keep", "refine"}).description(""));
 }
 
 void CriteriaOptions::check() {
@@ -71,6 +109,7 @@ void CriteriaOptions::check() {
   if (size_text_) given_.size = *size_text_;
   if (size_field_) given_.size_field = *size_field_;
   if (max_turning_text_) given_.max_turning = parse_positive("--max-turning", *max_turning_text_);
+  if (thin_text_) given_.keeps_thin = *thin_text_ == "keep";
   if (min_size_text_) given_.min_size = parse_positive("--min-size", *min_size_text_);
 }
 
@@ -90,6 +129,7 @@ void CriteriaOptions::apply(Criteria& criteria, const BoundaryComplex& boundary)
   if (given_.size) criteria.size = given_.size;
   if (given_.size_field) criteria.size_field = given_.size_field;
   if (given_.max_turning) criteria.max_turning = given_.max_turning;
+  if (given_.keeps_thin) criteria.keeps_thin = given_.keeps_thin;
   if (given_.min_size) criteria.min_size = given_.min_size;
 }
 
@@ -99,6 +139,7 @@ QualityGoals CriteriaOptions::goals(Mesh& mesh, const std::function<SizeFunction
   if (mesh.criteria.size) {
     try {
       size = compile(*mesh.criteria.size);
+      require_lengths(mesh, size);
     } catch (const std::invalid_argument& e) {
       if (given_.size) throw UsageError(std::string("--size: ") + e.what());
       throw InputError("/criteria/size", e.what());

@@ -29,6 +29,9 @@ class Placed : public std::runtime_error {
   int status_;
 };
 
+constexpr std::string_view out_of_memory =
+    "this needs more memory than there is; ask for fewer or larger elements (refine and bspline2mesh: --max-triangles)";
+
 std::string where(const Frame& frame, long line) {
   return frame.source + ":" + std::to_string(line) + ": frame " + std::to_string(frame.index) + ": ";
 }
@@ -54,6 +57,9 @@ void with_place(const Frame& frame, const std::function<void()>& work) {
     throw Placed(status::no_result, frame.source + ": frame " + std::to_string(frame.index) + ": " + e.what());
   } catch (const std::domain_error& e) {
     throw Placed(status::no_result, frame.source + ": frame " + std::to_string(frame.index) + ": " + e.what());
+  } catch (const std::bad_alloc&) {
+    throw Placed(status::no_result,
+                 frame.source + ": frame " + std::to_string(frame.index) + ": " + std::string(out_of_memory));
   }
 }
 
@@ -180,7 +186,7 @@ int run_tool(CLI::App& app, int argc, char** argv, ToolOptions& options, const s
   } catch (const std::system_error& e) {
     return stop(status::io_failed, e.what());
   } catch (const std::bad_alloc&) {
-    return stop(status::io_failed, "out of memory");
+    return stop(status::no_result, std::string(out_of_memory));
   } catch (const std::exception& e) {
     return stop(status::no_result, e.what());
   }

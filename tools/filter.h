@@ -65,7 +65,7 @@ struct ToolOptions {
 void add_common_options(CLI::App& app, ToolOptions& options, bool with_report = true);
 
 /// Parses, runs `body`, and turns what it throws into a message on standard error and an exit status: UsageError 2,
-/// InputError 3, NoResult 4, system_error and bad_alloc 5. --help and --version give 0, parse errors 2. `body` returns
+/// InputError 3, NoResult and bad_alloc 4, system_error 5. --help and --version give 0, parse errors 2. `body` returns
 /// the status itself where nothing is thrown. A closed pipe ends the process by SIGPIPE.
 int run_tool(CLI::App& app, int argc, char** argv, ToolOptions& options, const std::function<int()>& body);
 

@@ -1,3 +1,4 @@
+// lib/pliant/improve/refine.cpp: rounds of attacks, each triangle's own: split an edge, insert a point, or give up
 #include "pliant/improve/refine.h"
 
 #include <algorithm>
@@ -9,14 +10,14 @@
 #include <utility>
 #include <vector>
 
+#include "pliant/boundary/boundary_spans.h"
 #include "pliant/geometry/linear_triangle.h"
-#include "pliant/geometry/predicates.h"
-#include "pliant/geometry/protective_lens.h"
-#include "pliant/improve/feature_sizes.h"
+#include "pliant/improve/insertion_search.h"
 #include "pliant/improve/legalize.h"
 #include "pliant/improve/refine_attack.h"
 #include "pliant/improve/sharp_corners.h"
 #include "pliant/improve/split_place.h"
+#include "pliant/improve/triangle_budget.h"
 #include "pliant/mesh/locate.h"
 #include "pliant/mesh/star.h"
 #include "pliant/ops/insert_point.h"
@@ -24,93 +25,87 @@
 namespace pliant {
 namespace {
 
-constexpr int failure = 20;             // counts as many splits that did not help
-constexpr int max_failures = 40;        // of one triangle
-constexpr double default_floor = 1e-9;  // of the mesh's size: least distance of two vertices
-constexpr double least_of_root = 0.25;  // no edge shorter than this part of the feature that it comes from
+constexpr int most_points = 40;            // for the sake of one triangle that stays poor
+constexpr double default_floor = 1e-9;     // of the mesh's size: least distance of two vertices
+constexpr double least_of_gap = 0.5;       // half an edge on a curve, of the distance of the vertex opposite
+constexpr double least_of_shortest = 0.8;  // the same, of a poor triangle's shortest edge, up to 30 degrees
 constexpr double least_of_longest = 0.2;
-constexpr long most_old = 8;         // triangles to a new vertex in a mesh that keeps its numbers
-constexpr double near_edge = 1e-3;   // of the distance to the nearest corner
-constexpr double off_center = 0.95;  // of the distance at which the triangle would be just good enough
+constexpr long triangles_per_new_vertex = 8;  // a mesh that has more keeps its numbers
+constexpr double off_center = 0.95;           // of the distance at which the triangle would be just good enough
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
+/// What all rounds have done, and what the last one has left.
+struct Tally {
+  long insertions = 0, splits = 0;
+  LegalizeCounts flips;
+  std::map<std::array<PointId, 3>, const char*> left;  ///< reasons, by the corners of a triangle
 
-class Refiner {
+  long points() const { return insertions + splits; }
+};
+
+/// One round: attacks every triangle that misses the goals, and what comes of it, without any memory of earlier rounds.
+class Round {
  public:
-  Refiner(Mesh& mesh, const RefineOptions& options)
-      : mesh_(mesh), options_(options), locator_(mesh), corners_(mesh), roots_(mesh) {
+  Round(Mesh& mesh, const RefineOptions& options, Tally& tally)
+      : mesh_(mesh), options_(options), tally_(tally), locator_(mesh), corners_(mesh), search_(mesh) {
     floor_ = std::max(options.goals.min_size, default_floor * mesh.size());
     most_ratio_ = 1 / (2 * std::sin(options.goals.min_angle * std::numbers::pi / 180));
   }
 
-  PassReport run() {
+  void run() {
+    tally_.left.clear();
     for (TriangleId t = 0; t < mesh_.triangle_slots(); ++t) enqueue(t);
-    while (insertions_ + splits_ < options_.max_insertions) {
-      std::optional<AttackEntry> entry = queue_.pop();
-      if (!entry) {
-        if (failed_.empty()) break;
-        for (const TriangleId t : std::exchange(failed_, {})) enqueue(t);  // once more, now that all else is done
-        continue;
-      }
+    while (!options_.max_insertions || tally_.points() < *options_.max_insertions) {
+      const std::optional<AttackEntry> entry = queue_.pop();
+      if (!entry) return;
       const auto& [t, corners] = *entry;
-      if (!mesh_.is_alive(t) || corners_of(t) != corners) continue;
+      if (!mesh_.is_alive(t) || corners_of(mesh_, t) != corners) continue;
       const Attack attack = attack_on(mesh_, t, options_.goals);
       if (attack.reason) treat(t, attack);
-      if (options_.progress != nullptr) options_.progress->count(insertions_ + splits_);
+      if (options_.progress != nullptr) options_.progress->count(tally_.points());
+      if (mesh_.triangle_count() > options_.max_triangles) exceed(attack);
     }
-    // Numbers in the order of insertion would send every later pass from one end of the memory to the other.
-    if ((insertions_ + splits_) * most_old > mesh_.triangle_count())
-      mesh_.renumber();
-    else
-      mesh_.compact();
-    return report();
+  }
+
+  static std::array<PointId, 3> corners_of(const Mesh& mesh, TriangleId t) {
+    return {mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2)};
   }
 
  private:
-  std::array<PointId, 3> corners_of(TriangleId t) const {
-    return {mesh_.corner(t, 0), mesh_.corner(t, 1), mesh_.corner(t, 2)};
-  }
   void enqueue(TriangleId t) {
     if (!mesh_.is_alive(t)) return;
     const Attack attack = attack_on(mesh_, t, options_.goals);
-    if (attack.reason) queue_.push(attack.excess, {t, corners_of(t)});
+    if (attack.reason) queue_.push(attack.excess, {t, corners_of(mesh_, t)});
   }
+  void give_up(TriangleId t, const char* reason) { tally_.left[corners_of(mesh_, t)] = reason; }
+  [[noreturn]] void exceed(const Attack& attack) const;
 
   void treat(TriangleId t, const Attack& attack) {
-    least_edge_ = root_ = 0;
+    least_edge_ = least_half_ = 0;
+    why_not_ = nullptr;
     if (attack.edge != none) {
-      if (!split(attack.edge)) give_up("too curved: no room to split");
+      if (!split(attack.edge)) give_up(t, why_not_);
       return;
     }
     if (attack.is_poor)
       if (const HalfEdgeId curve = curve_that_turns_over(mesh_, t); curve != none && split(curve)) return enqueue(t);
-    const HalfEdgeId shortest = shortest_edge(t);
-    const PointId p = mesh_.origin(shortest), q = mesh_.target(shortest);
-    if (distance(mesh_.point(p), mesh_.point(q)) <= 2 * floor_) return give_up("at the least size");
+    const HalfEdgeId shortest = shortest_edge(mesh_, t);
+    const double least = std::sqrt(squared(shortest));
+    if (least <= 2 * floor_) return give_up(t, "at the least size");
     const double longest =
         std::sqrt(std::max({squared(shortest), squared(next(shortest)), squared(previous(shortest))}));
-    if (attack.is_poor && !corners_.empty() && corners_.is_along_shell(mesh_, shortest, longest))
-      return give_up("opposite a small angle");
-    const auto corners = corners_of(t);
-    const auto failures = failures_.find(corners);
-    if (failures != failures_.end() && failures->second >= max_failures) {
-      if (!attack.is_poor && split_longest(t)) return;  // what is too large can always be divided
-      return give_up("circumcentre refused");
-    }
+    if (attack.is_poor && !corners_.empty() && corners_.excuses(mesh_, shortest, longest))
+      return give_up(t, "opposite a small angle");
+    const auto corners = corners_of(mesh_, t);
+    if (const auto tried = tried_.find(corners); tried != tried_.end() && tried->second >= most_points)
+      return give_up(t, "many points beside it did not help");
     // The circumcentre of a large triangle is at least half its longest edge away from all, if the mesh is Delaunay.
-    least_edge_ = least_of_longest * longest;
-    // Mending a shape must not make edges much shorter than the features that the triangle's corners come from: with
-    // the bounds on angles that can be kept this is what holds anyway (Ruppert); where curved edges or small angles
-    // spoil that, it is what ends the refinement.
-    if (attack.is_poor) {
-      root_ = std::min(roots_.of(p), roots_.of(q));
-      least_edge_ = least_of_root * root_;
-    }
+    least_edge_ = attack.is_poor ? least : least_of_longest * longest;
+    least_half_ = attack.is_poor && most_ratio_ >= 1 ? least_of_shortest * least : least_edge_;
     if (!insert_into(t, shortest, attack.is_poor)) {
-      failures_[corners] += failure;
-      failed_.push_back(t);
-    } else if (mesh_.is_alive(t) && corners_of(t) == corners) {
-      if (attack.is_poor) ++failures_[corners];
+      if (!attack.is_poor && split_longest(t)) return enqueue(t);  // what is too large can always be divided
+      give_up(t, why_not_);
+    } else if (mesh_.is_alive(t) && corners_of(mesh_, t) == corners) {
+      if (attack.is_poor) ++tried_[corners];
       enqueue(t);
     }
   }
@@ -134,62 +129,38 @@ class Refiner {
 
   /// Inserts p, or splits the constrained edge that stands between t and p or whose lens p enters.
   bool insert_or_split(TriangleId t, const Point& p) {
-    const HalfEdgeId wall = walk_to(t, p);
-    // An empty circumcircle whose centre lies beyond a wall bounds how short that is; where flips were refused it may
-    // not be empty.
-    if (wall != none) return 2 * std::sqrt(squared(wall)) >= distance_from(wall, t) && split(wall);
-    const HalfEdgeId encroached = find_encroached(reached_, p);
-    if (encroached != none) return split(encroached);
-    const auto location = locator_.walk(p, reached_);
-    if (!location) return false;
+    const HalfEdgeId wall = search_.walk_to(t, p);
+    if (wall != none) {
+      // An empty circumcircle whose centre lies beyond a wall bounds how short that is; where flips were refused it may
+      // not be empty.
+      double away = HUGE_VAL;
+      for (int c = 0; c < 3; ++c) away = std::min(away, distance_from_chord(mesh_, wall, mesh_.corner(t, c)));
+      return 2 * std::sqrt(squared(wall)) >= away ? split(wall) : refuse("its circumcentre lies beyond a curve");
+    }
+    if (const HalfEdgeId encroached = search_.find_encroached(search_.reached(), p); encroached != none)
+      return split(encroached);
+    const auto location = locator_.walk(p, search_.reached());
+    if (!location) return refuse("no element was found at its circumcentre");
     const TriangleId k = location->triangle;
     double nearest = HUGE_VAL;
     for (int c = 0; c < 3; ++c) nearest = std::min(nearest, distance(mesh_.point(mesh_.corner(k, c)), p));
-    if (nearest < std::max(floor_, least_edge_)) return false;
-    const FaceId wanted = mesh_.face(t);
-    if (mesh_.face(k) != wanted) return false;
-    const InsertResult inserted = insert_point(mesh_, k, location->xi, edge_tolerance(k, location->xi, nearest));
-    if (inserted.refusal != Refusal::done) {
-      ++refusals_[describe(inserted.refusal)];
-      return false;
-    }
-    ++insertions_;
+    if (nearest < std::max(floor_, least_edge_)) return refuse("its circumcentre is close to another vertex");
+    if (mesh_.face(k) != mesh_.face(t)) return refuse("its circumcentre lies beyond a curve");
+    const InsertResult inserted =
+        insert_point(mesh_, k, location->xi, search_.edge_tolerance(k, location->xi, nearest));
+    if (inserted.refusal != Refusal::done) return refuse(describe(inserted.refusal));
+    ++tally_.insertions;
     settle(inserted.vertex);
     return true;
   }
 
-  /// Near an edge of the element, compared with the nearest corner, the edge itself is split: slivers would not flip
-  /// away at a curve.
-  double edge_tolerance(TriangleId k, const Barycentric& xi, double nearest) const {
-    const auto c = static_cast<int>(std::min_element(xi.begin(), xi.end()) - xi.begin());
-    const double least = std::max(0.0, xi[at(c)]);
-    const Point &a = mesh_.point(mesh_.corner(k, c)), &b = mesh_.point(mesh_.corner(k, (c + 1) % 3)),
-                &d = mesh_.point(mesh_.corner(k, (c + 2) % 3));
-    const double height = std::fabs(cross(b - a, d - a)) / distance(b, d);
-    return least * height < near_edge * nearest ? std::nextafter(least, 1.0) : std::min(least, near_edge);
-  }
-
-  /// From the chord of an edge to the nearest corner of a triangle.
-  double distance_from(HalfEdgeId h, TriangleId t) const {
-    const Point& a = mesh_.point(mesh_.origin(h));
-    const Vector along = mesh_.point(mesh_.target(h)) - a;
-    double least = HUGE_VAL;
-    for (int c = 0; c < 3; ++c) {
-      const Vector off = mesh_.point(mesh_.corner(t, c)) - a;
-      const double s = std::clamp(dot(off, along) / squared_length(along), 0.0, 1.0);
-      least = std::min(least, squared_length(off - s * along));
-    }
-    return std::sqrt(least);
+  bool refuse(const char* reason) {
+    why_not_ = reason;
+    return false;
   }
 
   double squared(HalfEdgeId h) const {
     return squared_length(mesh_.point(mesh_.target(h)) - mesh_.point(mesh_.origin(h)));
-  }
-  HalfEdgeId shortest_edge(TriangleId t) const {
-    HalfEdgeId shortest = half_edge(t, 0);
-    for (int e = 1; e < 3; ++e)
-      if (squared(half_edge(t, e)) < squared(shortest)) shortest = half_edge(t, e);
-    return shortest;
   }
   bool split_longest(TriangleId t) {
     HalfEdgeId longest = half_edge(t, 0);
@@ -200,23 +171,17 @@ class Refiner {
 
   bool split(HalfEdgeId h) {
     const double half = std::sqrt(squared(h)) / 2;
-    if (half <= floor_ || half < least_edge_) return false;
     const bool on_curve = mesh_.is_constrained(h);
+    if (half <= floor_) return refuse("at the least size");
+    if (half < least_half_ && !(on_curve && half >= least_of_gap * gap_over(mesh_, h)))
+      return refuse("an edge beside it would become shorter than its own");
+    const PointId first = mesh_.origin(h), last = mesh_.target(h);
     const InsertResult result = split_edge(mesh_, h, on_curve ? split_place(mesh_, h, corners_) : 0.5);
-    if (result.refusal != Refusal::done) {
-      ++refusals_[describe(result.refusal)];
-      return false;
-    }
-    ++(on_curve ? splits_ : insertions_);
+    if (result.refusal != Refusal::done) return refuse(describe(result.refusal));
+    ++(on_curve ? tally_.splits : tally_.insertions);
+    if (on_curve) corners_.add_between(result.vertex, first, last);
     settle(result.vertex);
     return true;
-  }
-
-  /// Subdivision bends the edges to a new vertex where an element's parameters run unevenly along a curve. The
-  /// triangles that they bound would be far from their logical ones, on which all decisions rest.
-  void straighten_spokes() {
-    bent_ = star_.outgoing;
-    straighten_bent(mesh_, bent_, options_.refit);
   }
 
   /// Restores the Delaunay property around a new vertex, then queues what changed.
@@ -227,105 +192,93 @@ class Refiner {
       stack_.push_back(next(h));
       touched_.push_back(triangle_of(h));
     }
-    straighten_spokes();
-    legalize(mesh_, stack_, options_.refit, counts_, -1, &touched_, true);
-    find_star(mesh_, v, star_);
-    roots_.set(mesh_, star_, root_, corners_);
+    // Subdivision bends the edges to a new vertex where an element's parameters run unevenly along a curve. The
+    // triangles that they bound would be far from their logical ones, on which all decisions rest.
+    bent_ = star_.outgoing;
+    straighten_bent(mesh_, bent_, options_.refit);
+    legalize(mesh_, stack_, options_.refit, tally_.flips, -1, &touched_, true);
     std::sort(touched_.begin(), touched_.end());
     touched_.erase(std::unique(touched_.begin(), touched_.end()), touched_.end());
     for (const TriangleId t : touched_) enqueue(t);
   }
 
-  /// Walks in the logical mesh from t's centroid to p; a constrained edge that stands in the way, or none. `reached_`
-  /// is the last triangle.
-  HalfEdgeId walk_to(TriangleId t, const Point& p) {
-    const Point start = (1.0 / 3) * (mesh_.point(mesh_.corner(t, 0)) + mesh_.point(mesh_.corner(t, 1)) +
-                                     mesh_.point(mesh_.corner(t, 2)));
-    reached_ = t;
-    HalfEdgeId entered = none;
-    for (long step = 0; step < 10 + 2L * mesh_.triangle_count(); ++step) {
-      HalfEdgeId leave = none;
-      for (int e = 0; e < 3; ++e) {
-        const HalfEdgeId h = half_edge(reached_, e);
-        const Point &a = mesh_.point(mesh_.origin(h)), &b = mesh_.point(mesh_.target(h));
-        if (h == entered || orient2d(a, b, p) >= 0) continue;
-        if (orient2d(start, p, a) <= 0 && orient2d(start, p, b) >= 0) leave = h;  // the segment leaves through it
-        if (leave == none) leave = h;
-      }
-      if (leave == none) return none;
-      if (mesh_.is_constrained(leave) || mesh_.twin(leave) == none) return leave;
-      entered = mesh_.twin(leave);
-      reached_ = triangle_of(entered);
-    }
-    return none;
-  }
-
-  /// A constrained edge at the border of p's Delaunay cavity in whose lens p lies; the nearest one.
-  HalfEdgeId find_encroached(TriangleId from, const Point& p) {
-    cavity_.assign(1, from);
-    HalfEdgeId found = none;
-    double nearest = HUGE_VAL;
-    for (std::size_t k = 0; k < cavity_.size() && k < 200; ++k)
-      for (int e = 0; e < 3; ++e) {
-        const HalfEdgeId h = half_edge(cavity_[k], e), g = mesh_.twin(h);
-        if (mesh_.is_constrained(h) || g == none) {
-          std::array<Point, max_degree + 1> polygon;
-          mesh_.gather_edge_points(h, polygon);
-          if (!is_encroached({polygon.data(), at(mesh_.degree() + 1)}, p)) continue;
-          const double far = distance(0.5 * (polygon[0] + polygon[at(mesh_.degree())]), p);
-          if (far < nearest) nearest = far, found = h;
-          continue;
-        }
-        const TriangleId other = triangle_of(g);
-        if (std::find(cavity_.begin(), cavity_.end(), other) != cavity_.end()) continue;
-        if (in_circle(mesh_.point(mesh_.corner(other, 0)), mesh_.point(mesh_.corner(other, 1)),
-                      mesh_.point(mesh_.corner(other, 2)), p) > 0)
-          cavity_.push_back(other);
-      }
-    return found;
-  }
-
-  void give_up(const char* reason) { ++given_up_[reason]; }
-
-  PassReport report() const {
-    PassReport report;
-    report.add("insertions", static_cast<double>(insertions_ + splits_));
-    report.add("interior_insertions", static_cast<double>(insertions_));
-    report.add("curve_splits", static_cast<double>(splits_));
-    report.add("flips", static_cast<double>(counts_.flips));
-    long left = 0;
-    for (TriangleId t = 0; t < mesh_.triangle_slots(); ++t)
-      if (attack_on(mesh_, t, options_.goals).reason) ++left;
-    report.add("left", static_cast<double>(left));
-    report.add("triangles", mesh_.triangle_count());
-    for (const auto& [reason, times] : given_up_) report.refuse(reason, times);
-    for (const auto& [reason, times] : refusals_) report.refuse("insertion: " + reason, times);
-    for (const auto& [reason, times] : counts_.refusals) report.refuse(std::string("flip: ") + describe(reason), times);
-    return report;
-  }
-
   Mesh& mesh_;
   const RefineOptions& options_;
+  Tally& tally_;
   Locator locator_;
   SharpCorners corners_;
+  InsertionSearch search_;
   double floor_ = 0, most_ratio_ = 0;
-  double root_ = 0, least_edge_ = 0;  // no new edge may be shorter, while a poor triangle is treated
-  FeatureSizes roots_;
+  double least_edge_ = 0;          // no new point may be closer to others
+  double least_half_ = 0;          // no half of an edge that is split may be shorter
+  const char* why_not_ = nullptr;  // the last thing that was tried failed
   AttackQueue queue_;
-  std::map<std::array<PointId, 3>, int> failures_;
-  std::vector<TriangleId> failed_;  // to be tried once more
-  std::map<std::string, long> given_up_, refusals_;
-  LegalizeCounts counts_;
-  long insertions_ = 0, splits_ = 0;
+  std::map<std::array<PointId, 3>, int> tried_;  // points inserted for a triangle that stayed poor
   Star star_;
   std::vector<HalfEdgeId> stack_, bent_;
-  std::vector<TriangleId> touched_, cavity_;
-  TriangleId reached_ = none;
+  std::vector<TriangleId> touched_;
 };
+
+Point middle_of(const Mesh& mesh, TriangleId t) {
+  return (1.0 / 3) * (mesh.point(mesh.corner(t, 0)) + mesh.point(mesh.corner(t, 1)) + mesh.point(mesh.corner(t, 2)));
+}
+
+void Round::exceed(const Attack& attack) const {
+  // The last vertex is where the work is.
+  const Point& place = mesh_.point(mesh_.origin(star_.outgoing.front()));
+  std::string text = "there are more than " + std::to_string(options_.max_triangles) +
+                     " triangles, and elements near " + describe_point(place) + " are still " + attack.reason;
+  text += attack.is_poor ? ": a gap there is thin, or an angle small (--thin keep leaves elements across thin gaps, "
+                           "--min-size bounds their size, --min-angle 0 asks for no shape)"
+                         : ": ask for larger elements";
+  throw TooManyTriangles(text + ", or allow more (--max-triangles)");
+}
+
+/// Elements that miss the goals.
+std::vector<TriangleId> find_left(const Mesh& mesh, const QualityGoals& goals) {
+  std::vector<TriangleId> left;
+  for (TriangleId t = 0; t < mesh.triangle_slots(); ++t)
+    if (mesh.is_alive(t) && attack_on(mesh, t, goals).reason) left.push_back(t);
+  return left;
+}
+
+PassReport report_of(const Mesh& mesh, const std::vector<TriangleId>& left, const Tally& tally) {
+  PassReport report;
+  report.add("insertions", static_cast<double>(tally.points()));
+  report.add("interior_insertions", static_cast<double>(tally.insertions));
+  report.add("curve_splits", static_cast<double>(tally.splits));
+  report.add("flips", static_cast<double>(tally.flips.flips));
+  report.add("left", static_cast<double>(left.size()));
+  report.add("triangles", mesh.triangle_count());
+  for (const TriangleId t : left) {
+    const auto found = tally.left.find(Round::corners_of(mesh, t));
+    const char* reason = found == tally.left.end() ? "as many points were inserted as asked" : found->second;
+    report.refuse(reason, middle_of(mesh, t));
+  }
+  for (const auto& [reason, times] : tally.flips.refusals)
+    report.refuse(std::string("flip: ") + describe(reason), times);
+  return report;
+}
 
 }  // namespace
 
-PassReport refine(Mesh& mesh, const RefineOptions& options) { return Refiner(mesh, options).run(); }
+PassReport refine(Mesh& mesh, const RefineOptions& options) {
+  require_within_budget(mesh, options.goals, options.max_triangles);
+  Tally tally;
+  std::vector<TriangleId> left;
+  long before = 0;
+  do {
+    before = tally.points();
+    Round(mesh, options, tally).run();
+    // Numbers in the order of insertion would send every later pass from one end of the memory to the other.
+    if ((tally.points() - before) * triangles_per_new_vertex > mesh.triangle_count())
+      mesh.renumber();
+    else
+      mesh.compact();
+    left = find_left(mesh, options.goals);
+  } while (!left.empty() && tally.points() > before);
+  return report_of(mesh, left, tally);
+}
 
 const char* refine_reason(const Mesh& mesh, TriangleId t, const QualityGoals& goals) {
   return attack_on(mesh, t, goals).reason;

@@ -1,3 +1,4 @@
+// lib/pliant/improve/refine_attack.cpp: an element against its bounds, one after the other
 #include "pliant/improve/refine_attack.h"
 
 #include <numbers>
@@ -5,11 +6,10 @@
 #include "pliant/geometry/jacobian.h"
 #include "pliant/geometry/linear_triangle.h"
 #include "pliant/geometry/turning_angle.h"
+#include "pliant/improve/thin_gaps.h"
 
 namespace pliant {
 namespace {
-
-constexpr double size_slack = 1.5;  // a longest edge of this many wanted lengths is too long
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
@@ -20,6 +20,16 @@ double edge_turning(const Mesh& mesh, HalfEdgeId h) {
 }
 
 }  // namespace
+
+HalfEdgeId shortest_edge(const Mesh& mesh, TriangleId t) {
+  const auto squared = [&](HalfEdgeId h) {
+    return squared_length(mesh.point(mesh.target(h)) - mesh.point(mesh.origin(h)));
+  };
+  HalfEdgeId shortest = half_edge(t, 0);
+  for (int e = 1; e < 3; ++e)
+    if (squared(half_edge(t, e)) < squared(shortest)) shortest = half_edge(t, e);
+  return shortest;
+}
 
 Attack attack_on(const Mesh& mesh, TriangleId t, const QualityGoals& goals) {
   const Point &a = mesh.point(mesh.corner(t, 0)), &b = mesh.point(mesh.corner(t, 1)),
@@ -55,7 +65,8 @@ Attack attack_on(const Mesh& mesh, TriangleId t, const QualityGoals& goals) {
     const double limit = 1 / (2 * std::sin(goals.min_angle * std::numbers::pi / 180));
     const double ratio =
         cross(b - a, c - a) > 0 ? radius_edge_ratio(a, b, c) : HUGE_VAL;  // turned over: no shape at all
-    if (ratio > limit) return {"too poor", ratio / limit, none, true};
+    const auto is_kept = [&] { return goals.keeps_thin && crosses_thin_gap(mesh, shortest_edge(mesh, t)); };
+    if (ratio > limit && !is_kept()) return {"too poor", ratio / limit, none, true};
   }
   return {};
 }

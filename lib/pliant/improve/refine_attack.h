@@ -1,4 +1,5 @@
-#pragma once  // lib/pliant/improve/refine_attack.h: which triangles refinement attacks, and in which order
+// lib/pliant/improve/refine_attack.h: which triangles refinement attacks, and in which order
+#pragma once
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -16,6 +17,12 @@ struct Attack {
   HalfEdgeId edge = none;  // too curved: the edge to split
   bool is_poor = false;
 };
+
+/// An element whose longest edge has this many wanted lengths is too large.
+inline constexpr double size_slack = 1.5;
+
+/// By chords; of equal ones the first.
+HalfEdgeId shortest_edge(const Mesh& mesh, TriangleId t);
 
 /// Too curved before too large before too poor.
 Attack attack_on(const Mesh& mesh, TriangleId t, const QualityGoals& goals);

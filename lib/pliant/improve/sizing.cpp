@@ -1,5 +1,6 @@
 #include "pliant/improve/sizing.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
@@ -26,6 +27,11 @@ int find_size_field(const Mesh& mesh, const std::string& name) {
 double QualityGoals::area_bound(FaceId f) const {
   const auto k = static_cast<std::size_t>(f);
   return std::min(max_area, k < face_area.size() ? face_area[k] : HUGE_VAL);
+}
+
+bool QualityGoals::bounds_area() const {
+  const auto is_bound = [](double area) { return area < HUGE_VAL; };
+  return is_bound(max_area) || std::any_of(face_area.begin(), face_area.end(), is_bound);
 }
 
 double QualityGoals::length_for_area(FaceId f) const {
@@ -57,6 +63,7 @@ QualityGoals goals_of(const Mesh& mesh, SizeFunction size) {
   goals.size = std::move(size);
   if (criteria.size_field) goals.size_field = find_size_field(mesh, *criteria.size_field);
   if (criteria.max_turning) goals.max_turning = *criteria.max_turning * std::numbers::pi / 180;
+  goals.keeps_thin = criteria.keeps_thin.value_or(goals.keeps_thin);
   if (criteria.min_size) goals.min_size = *criteria.min_size;
   return goals;
 }

@@ -19,8 +19,10 @@ struct QualityGoals {
   int size_field = none;          ///< a field of wanted edge lengths, one component; no bound where not above 0
   double max_turning = HUGE_VAL;  ///< of an edge, radians
   double min_size = 0;            ///< no two vertices closer; 0: 1e-9 of the mesh's size
+  bool keeps_thin = false;        ///< what crosses a thin gap (thin_gaps.h) does not count as poor
 
   double area_bound(FaceId f) const;
+  bool bounds_area() const;  ///< of some face
   /// The length of edges at which refinement to the bound on area ends, on average; infinite without a bound.
   double length_for_area(FaceId f) const;
   /// What `size` asks for at a place; infinite where nothing is asked.

@@ -12,8 +12,9 @@
 namespace pliant {
 namespace {
 
-constexpr double balanced = 0.02;  // the parameter's middle will do: halves as equal as this
-constexpr int most_steps = 8;      // towards an end
+constexpr double balanced = 0.02;   // the parameter's middle will do: halves as equal as this
+constexpr int most_steps = 8;       // towards an end
+constexpr double least_part = 0.1;  // of an edge beside a place on a shell
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
@@ -63,13 +64,22 @@ double bend_of(const Mesh& mesh, HalfEdgeId h) {
 double balanced_place(const Mesh& mesh, HalfEdgeId h, const SharpCorners& corners, std::span<const double> polygon) {
   const int p = mesh.degree();
   const Point &a = mesh.point(mesh.origin(h)), &b = mesh.point(mesh.target(h));
+  const auto at_radius = [&](const Point& apex, double radius) {
+    const bool nearer = distance(apex, a) < distance(apex, b);
+    return bisect(polygon, p, [&](const Point& x) { return (distance(apex, x) < radius) == nearer; });
+  };
+  // As far from the corner as the vertex on the other side, so that the two are neighbours.
+  if (const SharpCorners::Mirror mirror = corners.mirror(mesh, h); mirror.corner != none) {
+    const double s = at_radius(mesh.point(mirror.corner), mirror.radius);
+    if (s > least_part && s < 1 - least_part) return s;
+  }
   const bool is_corner[2] = {corners.contains(mesh.origin(h)), corners.contains(mesh.target(h))};
   if (is_corner[0] != is_corner[1]) {
     const Point& apex = is_corner[0] ? a : b;
     // The shell between 1/3 and 2/3 of the way.
     const double radius = std::exp2(std::floor(std::log2(distance(a, b) * (2.0 / 3))));
-    const double s = bisect(polygon, p, [&](const Point& x) { return (distance(apex, x) < radius) == is_corner[0]; });
-    if (s > 0.1 && s < 0.9) return s;
+    const double s = at_radius(apex, radius);
+    if (s > least_part && s < 1 - least_part) return s;
   }
   const auto unbalance = [&](const Point& x) { return distance(a, x) - distance(x, b); };
   if (std::fabs(unbalance(point_on(polygon, p, 0.5))) <= balanced * distance(a, b)) return 0.5;

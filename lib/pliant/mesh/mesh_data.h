@@ -37,6 +37,7 @@ struct Criteria {
   std::optional<std::string> size_field;  ///< name of a field of wanted lengths
   std::optional<double> max_turning;
   std::optional<double> min_size;
+  std::optional<bool> keeps_thin;  ///< `thin`: "keep" (true) or "refine"
   ExtraMembers extra;
 };
 
