@@ -13,9 +13,9 @@ namespace pliant {
 namespace {
 
 constexpr double most_turning = std::numbers::pi / 3;
-constexpr double least_length = 1e-9;  // of the boundary's size
+constexpr double least_length = 1e-13;  // of the boundary's size: what doubles can tell apart
 constexpr double margin = 1e-13;       // of a pair's size, or an angle: rounding of control points
-constexpr double sharp = 1e-6;         // radians: an angle that hulls would separate only at spans as short
+constexpr double sharp = 1e-3;         // radians: an angle that hulls would separate only at spans as short
 constexpr int most_rounds = 200;
 
 std::vector<Point> reversed(std::span<const Point> polygon) { return {polygon.rbegin(), polygon.rend()}; }
