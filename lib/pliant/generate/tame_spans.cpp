@@ -1,8 +1,12 @@
 #include "pliant/generate/tame_spans.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 #include <numbers>
+#include <optional>
+#include <utility>
 
 #include "pliant/boundary/box_pairs.h"
 #include "pliant/boundary/hull_separation.h"
@@ -14,8 +18,9 @@ namespace {
 
 constexpr double most_turning = std::numbers::pi / 3;
 constexpr double least_length = 1e-13;  // of the boundary's size: what doubles can tell apart
-constexpr double margin = 1e-13;       // of a pair's size, or an angle: rounding of control points
-constexpr double sharp = 1e-3;         // radians: an angle that hulls would separate only at spans as short
+constexpr double margin = 1e-13;        // of a pair's size, or an angle: rounding of control points
+constexpr double sharp = 1e-3;          // radians: an angle that hulls would separate only at spans as short
+constexpr double same_radius = 1e-12;   // relative: ends that are as far from a corner
 constexpr int most_rounds = 200;
 
 std::vector<Point> reversed(std::span<const Point> polygon) { return {polygon.rbegin(), polygon.rend()}; }
@@ -24,8 +29,9 @@ bool is_angle_below(double angle, const Vector& a, const Vector& b) {
   return dot(a, b) > 0 && std::fabs(cross(a, b)) <= angle * length(a) * length(b);
 }
 
-/// Parameter in (0, 1) at which a curve, which leaves its start for good, is `radius` away from it.
-double parameter_at(std::span<const Point> polygon, double radius) {
+/// Parameter in (0, 1) at which a curve, which leads away from a point for good, or towards it, is `radius` away from
+/// it.
+double parameter_at(std::span<const Point> polygon, const Point& from, double radius, bool leads_away) {
   const int p = static_cast<int>(polygon.size()) - 1;
   std::vector<double> flat;
   for (const Point& b : polygon) flat.insert(flat.end(), {b.x, b.y});
@@ -36,7 +42,7 @@ double parameter_at(std::span<const Point> polygon, double radius) {
     std::array<double, 2> value;
     evaluate_polygon(p, 2, flat, s, value);
     at = {value[0], value[1]};
-    (distance(polygon.front(), at) < radius ? low : high) = s;
+    ((distance(from, at) < radius) == leads_away ? low : high) = s;
   }
   return (low + high) / 2;
 }
@@ -44,7 +50,9 @@ double parameter_at(std::span<const Point> polygon, double radius) {
 class Round {
  public:
   explicit Round(const BoundaryComplex& boundary)
-      : spans_(boundary), wish_(spans_.size(), 0), rival_(wish_.size(), -1) {}
+      : spans_(boundary), wish_(spans_.size(), 0), rival_(wish_.size(), -1) {
+    find_wedges(static_cast<int>(boundary.vertices.size()));
+  }
 
   const BoundarySpans& spans() const { return spans_; }
   /// Where each span is to be split; 0: not at all.
@@ -74,6 +82,51 @@ class Round {
   }
 
  private:
+  /// The pairs of curves that leave a common vertex in nearly the same direction.
+  void find_wedges(int vertices) {
+    std::vector<std::vector<std::pair<int, Vector>>> leaving(static_cast<std::size_t>(vertices));
+    for (std::size_t i = 0; i < spans_.size(); ++i)
+      for (const int node : {spans_[i].from, spans_[i].to})
+        if (node < vertices)
+          leaving[static_cast<std::size_t>(node)].emplace_back(
+              spans_[i].curve, tangent_at_end(spans_.polygon(i), node == spans_[i].from));
+    for (std::size_t node = 0; node < leaving.size(); ++node)
+      for (const auto& [a, along_a] : leaving[node])
+        for (const auto& [b, along_b] : leaving[node])
+          if (a < b && is_angle_below(sharp, along_a, along_b)) wedges_[{a, b}] = static_cast<int>(node);
+  }
+
+  /// Two spans on both sides of a narrow wedge lie beside each other where their ends are at the same distances from
+  /// the corner: their chords are then in the order of the curves, however much these bend. Splits what has no like on
+  /// the other side; false where the spans do not lead away from a common corner.
+  bool level_apart(std::size_t i, std::size_t j) {
+    const auto wedge = wedges_.find(std::minmax(spans_[i].curve, spans_[j].curve));
+    if (wedge == wedges_.end()) return false;
+    const Point& corner = spans_.nodes()[static_cast<std::size_t>(wedge->second)];
+    const auto a = radii(i, corner), b = radii(j, corner);
+    if (!a || !b || a->second <= b->first || b->second <= a->first) return false;
+    const double close = same_radius * std::max(a->second, b->second);
+    const auto split_at = [&](std::size_t k, const std::pair<double, double>& own, double radius, std::size_t rival) {
+      if (radius <= own.first + close || radius >= own.second - close) return;
+      const std::span<const Point> polygon = spans_.polygon(k);
+      const bool leads_away = distance(polygon.front(), corner) < distance(polygon.back(), corner);
+      wish(k, parameter_at(polygon, corner, radius, leads_away), rival);
+    };
+    for (const double radius : {b->first, b->second}) split_at(i, *a, radius, j);
+    for (const double radius : {a->first, a->second}) split_at(j, *b, radius, i);
+    return true;
+  }
+  /// The distances of a span's ends from a point, the nearer first; nothing where it does not lead straight on.
+  std::optional<std::pair<double, double>> radii(std::size_t i, const Point& corner) const {
+    const std::span<const Point> polygon = spans_.polygon(i);
+    double first = distance(polygon.front(), corner), last = distance(polygon.back(), corner);
+    for (std::size_t k = 0; k + 1 < polygon.size(); ++k) {
+      const Vector leg = last > first ? polygon[k + 1] - polygon[k] : polygon[k] - polygon[k + 1];
+      if (!(dot(leg, polygon[k] - corner) > 0) || !(dot(leg, polygon[k + 1] - corner) > 0)) return std::nullopt;
+    }
+    return std::minmax({first, last});
+  }
+
   void compare(std::size_t i, std::size_t j) {
     const BoundarySpan &a = spans_[i], &b = spans_[j];
     const bool joined_at_start = a.from == b.from || a.from == b.to;
@@ -87,7 +140,8 @@ class Round {
       Box both;
       for (const std::size_t k : {i, j})
         for (const Point& p : spans_.polygon(k)) both.extend(p);
-      if (!hulls_apart(spans_.polygon(i), spans_.polygon(j), margin * both.size())) split_thicker(i, j);
+      if (!hulls_apart(spans_.polygon(i), spans_.polygon(j), margin * both.size()) && !level_apart(i, j))
+        split_thicker(i, j);
       return;
     }
     const int node = joined_at_start ? a.from : a.to;
@@ -124,19 +178,20 @@ class Round {
   void level_ends(std::size_t i, std::size_t j, int node, std::span<const Point> a, std::span<const Point> b) {
     const double length_a = length(a.back()), length_b = length(b.back());
     const double shorter = std::min(length_a, length_b), longer = std::max(length_a, length_b);
-    if (longer <= 1.01 * shorter) return;
+    if (longer <= (1 + same_radius) * shorter) return;
     // Both are cut at the same distance; only the longer one where that leaves no sliver beyond the cut.
     const double radius = longer < 2 * shorter ? shorter / 2 : shorter;
     for (const auto& [k, polygon] : {std::pair(i, a), std::pair(j, b)}) {
-      if (length(polygon.back()) <= 1.01 * radius) continue;
-      const double s = parameter_at(polygon, radius);
+      if (length(polygon.back()) <= (1 + same_radius) * radius) continue;
+      const double s = parameter_at(polygon, {}, radius, true);
       wish(k, spans_[k].from == node ? s : 1 - s, k == i ? j : i);
     }
   }
 
   BoundarySpans spans_;
   std::vector<double> wish_;
-  std::vector<int> rival_;  // the span that each is to be kept apart from; -1: it turns too much
+  std::map<std::pair<int, int>, int> wedges_;  // by two curves: the vertex that both leave
+  std::vector<int> rival_;                     // the span that each is to be kept apart from; -1: it turns too much
 };
 
 }  // namespace
