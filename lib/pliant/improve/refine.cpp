@@ -175,13 +175,34 @@ class Round {
     if (half <= floor_) return refuse("at the least size");
     if (half < least_half_ && !(on_curve && half >= least_of_gap * gap_over(mesh_, h)))
       return refuse("an edge beside it would become shorter than its own");
+    const double place = on_curve ? split_place(mesh_, h, corners_) : 0.5;
+    const SplitPartner partner = on_curve ? find_partner(mesh_, h, corners_, place) : SplitPartner{};
+    const PointId v = split_at(h, place);
+    if (v == none) return false;
+    if (partner) split_partner(partner, v);
+    settle(v);
+    return true;
+  }
+  /// The new vertex, or none where that is refused.
+  PointId split_at(HalfEdgeId h, double place) {
+    const bool on_curve = mesh_.is_constrained(h);
     const PointId first = mesh_.origin(h), last = mesh_.target(h);
-    const InsertResult result = split_edge(mesh_, h, on_curve ? split_place(mesh_, h, corners_) : 0.5);
-    if (result.refusal != Refusal::done) return refuse(describe(result.refusal));
+    const InsertResult result = split_edge(mesh_, h, place);
+    if (result.refusal != Refusal::done) {
+      refuse(describe(result.refusal));
+      return none;
+    }
     ++(on_curve ? tally_.splits : tally_.insertions);
     if (on_curve) corners_.add_between(result.vertex, first, last);
-    settle(result.vertex);
-    return true;
+    return result.vertex;
+  }
+  /// As far from their corner as v is.
+  void split_partner(const SplitPartner& partner, PointId v) {
+    const HalfEdgeId h = find_half_edge(mesh_, partner.first, partner.last);
+    if (h == none || !mesh_.is_constrained(h)) return;
+    const Point& corner = mesh_.point(partner.corner);
+    const PointId w = split_at(h, place_at_radius(mesh_, h, corner, distance(corner, mesh_.point(v))));
+    if (w != none) settle(w);
   }
 
   /// Restores the Delaunay property around a new vertex, then queues what changed.

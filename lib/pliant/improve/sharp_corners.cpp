@@ -185,6 +185,13 @@ PointId SharpCorners::shared(const Mesh& mesh, PointId p, PointId q, FaceId f) c
   return best;
 }
 
+PointId SharpCorners::narrow_wedge(const Mesh& mesh, PointId p, PointId q, FaceId f) const {
+  const PointId corner = shared(mesh, p, q, f);
+  if (corner == none) return none;
+  const Point& apex = mesh.point(corner);
+  return angle_between(mesh.point(p) - apex, mesh.point(q) - apex) < narrow ? corner : none;
+}
+
 bool SharpCorners::excuses(const Mesh& mesh, HalfEdgeId shortest, double longest) const {
   const PointId p = mesh.origin(shortest), q = mesh.target(shortest);
   if (mesh.is_constrained(shortest)) return false;  // the ends of a side that comes back to its corner

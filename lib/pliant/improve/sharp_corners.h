@@ -30,6 +30,8 @@ class SharpCorners {
   /// The corner of the face in whose wedge the two vertices lie on two different sides; or none. Of several corners the
   /// one from which the angle between the two is least.   Complexity O(1)
   PointId shared(const Mesh& mesh, PointId p, PointId q, FaceId f) const;
+  /// The same, where the wedge is so narrow there that it is left as it is.
+  PointId narrow_wedge(const Mesh& mesh, PointId p, PointId q, FaceId f) const;
   /// Is this the shortest edge of a poor triangle that its wedge excuses? The edge's ends lie on two sides, at
   /// distances from the corner in a ratio of at most 2; and the wedge is so narrow there that triangles of its own
   /// width would be without number, or the edge runs along a shell and the corner is no further than the triangle

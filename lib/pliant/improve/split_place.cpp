@@ -8,13 +8,15 @@
 
 #include "pliant/geometry/control_net.h"
 #include "pliant/geometry/predicates.h"
+#include "pliant/mesh/star.h"
 
 namespace pliant {
 namespace {
 
-constexpr double balanced = 0.02;   // the parameter's middle will do: halves as equal as this
-constexpr int most_steps = 8;       // towards an end
-constexpr double least_part = 0.1;  // of an edge beside a place on a shell
+constexpr double balanced = 0.02;           // the parameter's middle will do: halves as equal as this
+constexpr int most_steps = 8;               // towards an end
+constexpr double least_bend_of_gap = 0.25;  // of two edges that are split together
+constexpr double least_part = 0.1;          // of an edge beside a place on a shell
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
@@ -28,7 +30,7 @@ Point point_on(std::span<const double> polygon, int degree, double s) {
 template <class Predicate>
 double bisect(std::span<const double> polygon, int degree, const Predicate& is_before) {
   double low = 0, high = 1;
-  for (int i = 0; i < 30; ++i) {
+  for (int i = 0; i < 53; ++i) {
     const double s = (low + high) / 2;
     (is_before(point_on(polygon, degree, s)) ? low : high) = s;
   }
@@ -61,24 +63,42 @@ double bend_of(const Mesh& mesh, HalfEdgeId h) {
   return most / length(along);
 }
 
+/// The control polygon of an edge, flat.
+struct Polygon {
+  Polygon(const Mesh& mesh, HalfEdgeId h) : degree(mesh.degree()) {
+    for (int k = 0; k <= degree; ++k) {
+      const Point& b = mesh.point(mesh.edge_point(h, k));
+      flat[at(2 * k)] = b.x, flat[at(2 * k + 1)] = b.y;
+    }
+  }
+  std::span<const double> points() const { return {flat.data(), at(2 * (degree + 1))}; }
+
+  int degree;
+  std::array<double, 2 * (max_degree + 1)> flat;
+};
+
+/// The s in (0, 1) at which a curve, which leads away from a point or towards it, is `radius` away from it.
+double at_radius(std::span<const double> polygon, int degree, const Point& from, double radius) {
+  const bool leads_away = distance(from, point_on(polygon, degree, 0)) < distance(from, point_on(polygon, degree, 1));
+  return bisect(polygon, degree, [&](const Point& x) { return (distance(from, x) < radius) == leads_away; });
+}
+
+/// How far a point is from the place of an edge that is as far from a corner.
+double gap_at(const Mesh& mesh, HalfEdgeId h, const Point& corner, const Point& x) {
+  const Polygon polygon(mesh, h);
+  const double s = at_radius(polygon.points(), polygon.degree, corner, distance(corner, x));
+  return distance(x, point_on(polygon.points(), polygon.degree, s));
+}
+
 double balanced_place(const Mesh& mesh, HalfEdgeId h, const SharpCorners& corners, std::span<const double> polygon) {
   const int p = mesh.degree();
   const Point &a = mesh.point(mesh.origin(h)), &b = mesh.point(mesh.target(h));
-  const auto at_radius = [&](const Point& apex, double radius) {
-    const bool nearer = distance(apex, a) < distance(apex, b);
-    return bisect(polygon, p, [&](const Point& x) { return (distance(apex, x) < radius) == nearer; });
-  };
-  // As far from the corner as the vertex on the other side, so that the two are neighbours.
-  if (const SharpCorners::Mirror mirror = corners.mirror(mesh, h); mirror.corner != none) {
-    const double s = at_radius(mesh.point(mirror.corner), mirror.radius);
-    if (s > least_part && s < 1 - least_part) return s;
-  }
   const bool is_corner[2] = {corners.contains(mesh.origin(h)), corners.contains(mesh.target(h))};
   if (is_corner[0] != is_corner[1]) {
     const Point& apex = is_corner[0] ? a : b;
     // The shell between 1/3 and 2/3 of the way.
     const double radius = std::exp2(std::floor(std::log2(distance(a, b) * (2.0 / 3))));
-    const double s = at_radius(apex, radius);
+    const double s = at_radius(polygon, p, apex, radius);
     if (s > least_part && s < 1 - least_part) return s;
   }
   const auto unbalance = [&](const Point& x) { return distance(a, x) - distance(x, b); };
@@ -90,14 +110,16 @@ double balanced_place(const Mesh& mesh, HalfEdgeId h, const SharpCorners& corner
 
 double split_place(const Mesh& mesh, HalfEdgeId h, const SharpCorners& corners) {
   const int p = mesh.degree();
-  std::array<double, 2 * (max_degree + 1)> flat;
-  for (int k = 0; k <= p; ++k) {
-    const Point& b = mesh.point(mesh.edge_point(h, k));
-    flat[at(2 * k)] = b.x, flat[at(2 * k + 1)] = b.y;
+  const Polygon all(mesh, h);
+  const std::span<const double> polygon = all.points();
+  // As far from the corner as the vertex on the other side, so that the two are neighbours; exactly so, for the chords
+  // of curves that bend by more than they are apart must be in the order of the curves.
+  if (const SharpCorners::Mirror mirror = corners.mirror(mesh, h); mirror.corner != none) {
+    const double s = at_radius(polygon, p, mesh.point(mirror.corner), mirror.radius);
+    if (s > least_part && s < 1 - least_part) return s;
   }
-  const std::span<const double> polygon(flat.data(), at(2 * (p + 1)));
   const double place = balanced_place(mesh, h, corners, polygon);
-  if (p == 1) return place;
+  if (p == 1 || find_partner(mesh, h, corners, place)) return place;
   double s = place;
   for (int step = 0; step < most_steps; ++step) {
     const Point x = point_on(polygon, p, s);
@@ -111,6 +133,41 @@ double split_place(const Mesh& mesh, HalfEdgeId h, const SharpCorners& corners) 
     s = first ? (s + 1) / 2 : s / 2;  // the chord to the far end leans less the nearer x is to the other
   }
   return place;
+}
+
+double place_at_radius(const Mesh& mesh, HalfEdgeId h, const Point& from, double radius) {
+  const Polygon polygon(mesh, h);
+  return at_radius(polygon.points(), polygon.degree, from, radius);
+}
+
+SplitPartner find_partner(const Mesh& mesh, HalfEdgeId h, const SharpCorners& corners, double s) {
+  if (corners.empty() || mesh.degree() == 1) return {};
+  const Polygon polygon(mesh, h);
+  const Point x = point_on(polygon.points(), polygon.degree, s);
+  Star star;
+  for (const HalfEdgeId side : {h, mesh.twin(h)}) {
+    if (side == none) continue;
+    const PointId v = mesh.apex(side);
+    for (const PointId end : {mesh.origin(h), mesh.target(h)}) {
+      const PointId corner = corners.narrow_wedge(mesh, v, end, mesh.face(triangle_of(side)));
+      if (corner == none) continue;
+      const Point& apex = mesh.point(corner);
+      const double radius = distance(apex, x);
+      find_star(mesh, v, star);
+      for (const HalfEdgeId out : star.outgoing)
+        for (const HalfEdgeId beside : {out, previous(out)}) {
+          if (!mesh.is_constrained(beside)) continue;
+          const PointId a = mesh.origin(beside), b = mesh.target(beside);
+          const auto [near, far] = std::minmax({distance(apex, mesh.point(a)), distance(apex, mesh.point(b))});
+          const double margin = least_part * (far - near);
+          if (radius < near + margin || radius > far - margin) continue;
+          if (std::max(bend_of(mesh, h), bend_of(mesh, beside)) < least_bend_of_gap * gap_at(mesh, beside, apex, x))
+            continue;
+          return {a, b, corner};
+        }
+    }
+  }
+  return {};
 }
 
 HalfEdgeId curve_that_turns_over(const Mesh& mesh, TriangleId t) {
