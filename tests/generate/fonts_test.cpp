@@ -84,7 +84,7 @@ double least_angle(const std::array<Point, 3>& corners) {
   return least;
 }
 
-/// Does the shortest side lie across a wedge that is narrow there: seen from the corner under less than 0.15 radians,
+/// Does the shortest side lie across a wedge that is narrow there: seen from the corner under less than 0.175 radians,
 /// its ends at distances in a ratio of at most 2.1?
 bool is_across_wedge(const std::array<Point, 3>& corners, const Point& tip) {
   std::size_t shortest = 0;
@@ -93,7 +93,7 @@ bool is_across_wedge(const std::array<Point, 3>& corners, const Point& tip) {
     if (side(i) < side(shortest)) shortest = i;
   const Vector a = corners[shortest] - tip, b = corners[(shortest + 1) % 3] - tip;
   const auto [near, far] = std::minmax({length(a), length(b)});
-  return far <= 2.1 * near && std::atan2(std::fabs(cross(a, b)), dot(a, b)) < 0.15;
+  return far <= 2.1 * near && std::atan2(std::fabs(cross(a, b)), dot(a, b)) < 0.175;
 }
 
 /// The least angle of the straight triangles that no sharp corner is near, within twice their extent, and that are not

@@ -10,7 +10,7 @@ namespace pliant {
 namespace {
 
 constexpr FaceId several = -2;
-constexpr double narrow = 0.15;        // radians: a wedge is left as it is wherever it is narrower
+constexpr double narrow = 0.175;       // radians: a wedge is left as it is wherever it is narrower
 constexpr double most_ratio = 2.1;     // of the distances from the corner of neighbours on two sides: a shell is thick
 constexpr double corner_reach = 1.95;  // lengths of a triangle within which a small angle excuses it
 constexpr double most_extent = 3;      // of a triangle along a shell, in the shell's radius
