@@ -186,7 +186,7 @@ std::vector<int> LiftedMesh::untangle(double most_bending) {
     std::vector<int> left;
     for (const int t : waiting) {
       if (is_valid(t)) continue;
-      if (untangle_element(t, most_bending))
+      if ((degree_ > 2 && bend_along_curves(t)) || untangle_element(t, most_bending))
         ++untangled_;
       else
         left.push_back(t);

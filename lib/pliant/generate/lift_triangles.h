@@ -1,9 +1,11 @@
 #pragma once  // lib/pliant/generate/lift_triangles.h: Bézier triangles over a planar mesh, certified (paper §6)
+#include <array>
 #include <optional>
 #include <span>
 #include <vector>
 
 #include "pliant/generate/planar_mesh.h"
+#include "pliant/geometry/net_layout.h"
 #include "pliant/mesh/mesh_data.h"
 
 namespace pliant {
@@ -33,6 +35,10 @@ class LiftedMesh {
   void place_points();
   void find_cusps();
   bool untangle_element(int t, double most_bending);
+  std::optional<std::array<Vector, max_degree + 1>> bend_beside(int t, int long_edge, bool at_origin) const;
+  void bend_interior(int t, int corner, const std::array<Vector, max_degree + 1>& bend);
+  bool bend_tip(int t);
+  bool bend_along_curves(int t);
   std::optional<Point> valid_place(int t, int index);
 
   int degree_;

@@ -7,6 +7,7 @@
 
 #include "pliant/generate/lift_triangles.h"
 #include "pliant/generate/tame_spans.h"
+#include "pliant/generate/wedges.h"
 #include "pliant/geometry/net_layout.h"
 #include "pliant/geometry/turning_angle.h"
 
@@ -83,8 +84,9 @@ class Generator {
       }
     bool any = false;
     const double least = least_span(boundary_);
+    const Wedges wedges(boundary_, *spans_);
     for (const std::size_t s : chosen) {
-      if (!split_span(boundary_, (*spans_)[s], least)) continue;
+      if (!split_span(boundary_, (*spans_)[s], least, wedges.middle_of(s))) continue;
       any = true;
       ++splits_;
     }

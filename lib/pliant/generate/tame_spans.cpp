@@ -1,16 +1,15 @@
+// lib/pliant/generate/tame_spans.cpp: rounds of splits: what turns too much, and pairs of spans that come too close
 #include "pliant/generate/tame_spans.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <map>
 #include <numbers>
-#include <optional>
+#include <tuple>
 #include <utility>
 
 #include "pliant/boundary/box_pairs.h"
 #include "pliant/boundary/hull_separation.h"
-#include "pliant/geometry/control_net.h"
+#include "pliant/generate/wedges.h"
 #include "pliant/geometry/turning_angle.h"
 
 namespace pliant {
@@ -20,7 +19,6 @@ constexpr double most_turning = std::numbers::pi / 3;
 constexpr double least_length = 1e-13;  // of the boundary's size: what doubles can tell apart
 constexpr double margin = 1e-13;        // of a pair's size, or an angle: rounding of control points
 constexpr double sharp = 1e-3;          // radians: an angle that hulls would separate only at spans as short
-constexpr double same_radius = 1e-12;   // relative: ends that are as far from a corner
 constexpr int most_rounds = 200;
 
 std::vector<Point> reversed(std::span<const Point> polygon) { return {polygon.rbegin(), polygon.rend()}; }
@@ -29,30 +27,10 @@ bool is_angle_below(double angle, const Vector& a, const Vector& b) {
   return dot(a, b) > 0 && std::fabs(cross(a, b)) <= angle * length(a) * length(b);
 }
 
-/// Parameter in (0, 1) at which a curve, which leads away from a point for good, or towards it, is `radius` away from
-/// it.
-double parameter_at(std::span<const Point> polygon, const Point& from, double radius, bool leads_away) {
-  const int p = static_cast<int>(polygon.size()) - 1;
-  std::vector<double> flat;
-  for (const Point& b : polygon) flat.insert(flat.end(), {b.x, b.y});
-  double low = 0, high = 1;
-  for (int i = 0; i < 60; ++i) {
-    const double s = (low + high) / 2;
-    Point at;
-    std::array<double, 2> value;
-    evaluate_polygon(p, 2, flat, s, value);
-    at = {value[0], value[1]};
-    ((distance(from, at) < radius) == leads_away ? low : high) = s;
-  }
-  return (low + high) / 2;
-}
-
 class Round {
  public:
   explicit Round(const BoundaryComplex& boundary)
-      : spans_(boundary), wish_(spans_.size(), 0), rival_(wish_.size(), -1) {
-    find_wedges(static_cast<int>(boundary.vertices.size()));
-  }
+      : spans_(boundary), wedges_(boundary, spans_), wish_(spans_.size(), 0), rival_(wish_.size(), -1) {}
 
   const BoundarySpans& spans() const { return spans_; }
   /// Where each span is to be split; 0: not at all.
@@ -67,7 +45,8 @@ class Round {
 
   void find_turning() {
     for (std::size_t i = 0; i < spans_.size(); ++i)
-      if (spans_[i].from == spans_[i].to || turning_angle(spans_.polygon(i)) > most_turning) wish_[i] = 0.5;
+      if (spans_[i].from == spans_[i].to || turning_angle(spans_.polygon(i)) > most_turning)
+        wish_[i] = wedges_.middle_of(i);
   }
 
   void find_pairs() {
@@ -82,49 +61,23 @@ class Round {
   }
 
  private:
-  /// The pairs of curves that leave a common vertex in nearly the same direction.
-  void find_wedges(int vertices) {
-    std::vector<std::vector<std::pair<int, Vector>>> leaving(static_cast<std::size_t>(vertices));
-    for (std::size_t i = 0; i < spans_.size(); ++i)
-      for (const int node : {spans_[i].from, spans_[i].to})
-        if (node < vertices)
-          leaving[static_cast<std::size_t>(node)].emplace_back(
-              spans_[i].curve, tangent_at_end(spans_.polygon(i), node == spans_[i].from));
-    for (std::size_t node = 0; node < leaving.size(); ++node)
-      for (const auto& [a, along_a] : leaving[node])
-        for (const auto& [b, along_b] : leaving[node])
-          if (a < b && is_angle_below(sharp, along_a, along_b)) wedges_[{a, b}] = static_cast<int>(node);
-  }
-
   /// Two spans on both sides of a narrow wedge lie beside each other where their ends are at the same distances from
   /// the corner: their chords are then in the order of the curves, however much these bend. Splits what has no like on
   /// the other side; false where the spans do not lead away from a common corner.
   bool level_apart(std::size_t i, std::size_t j) {
-    const auto wedge = wedges_.find(std::minmax(spans_[i].curve, spans_[j].curve));
-    if (wedge == wedges_.end()) return false;
-    const Point& corner = spans_.nodes()[static_cast<std::size_t>(wedge->second)];
-    const auto a = radii(i, corner), b = radii(j, corner);
-    if (!a || !b || a->second <= b->first || b->second <= a->first) return false;
-    const double close = same_radius * std::max(a->second, b->second);
-    const auto split_at = [&](std::size_t k, const std::pair<double, double>& own, double radius, std::size_t rival) {
-      if (radius <= own.first + close || radius >= own.second - close) return;
-      const std::span<const Point> polygon = spans_.polygon(k);
-      const bool leads_away = distance(polygon.front(), corner) < distance(polygon.back(), corner);
-      wish(k, parameter_at(polygon, corner, radius, leads_away), rival);
+    const int corner = wedges_.corner_between(i, j);
+    if (corner < 0) return false;
+    const auto a = wedges_.ends(i, corner), b = wedges_.ends(j, corner);
+    if (!a || !b || (*a)[1].radius <= (*b)[0].radius || (*b)[1].radius <= (*a)[0].radius) return false;
+    const auto split_at = [&](std::size_t k, const std::array<Wedges::End, 2>& own, const Wedges::End& other,
+                              std::size_t rival) {
+      if (other.radius <= own[0].radius || other.radius >= own[1].radius) return;
+      if (wedges_.are_level(own[0], other) || wedges_.are_level(own[1], other)) return;
+      wish(k, wedges_.place_at(k, corner, other.radius), rival);
     };
-    for (const double radius : {b->first, b->second}) split_at(i, *a, radius, j);
-    for (const double radius : {a->first, a->second}) split_at(j, *b, radius, i);
+    for (const Wedges::End& end : *b) split_at(i, *a, end, j);
+    for (const Wedges::End& end : *a) split_at(j, *b, end, i);
     return true;
-  }
-  /// The distances of a span's ends from a point, the nearer first; nothing where it does not lead straight on.
-  std::optional<std::pair<double, double>> radii(std::size_t i, const Point& corner) const {
-    const std::span<const Point> polygon = spans_.polygon(i);
-    double first = distance(polygon.front(), corner), last = distance(polygon.back(), corner);
-    for (std::size_t k = 0; k + 1 < polygon.size(); ++k) {
-      const Vector leg = last > first ? polygon[k + 1] - polygon[k] : polygon[k] - polygon[k + 1];
-      if (!(dot(leg, polygon[k] - corner) > 0) || !(dot(leg, polygon[k + 1] - corner) > 0)) return std::nullopt;
-    }
-    return std::minmax({first, last});
   }
 
   void compare(std::size_t i, std::size_t j) {
@@ -146,7 +99,7 @@ class Round {
     }
     const int node = joined_at_start ? a.from : a.to;
     const std::vector<Point> from_a = outward(i, node), from_b = outward(j, node);
-    if (is_angle_below(sharp, tangent_at_end(from_a, true), tangent_at_end(from_b, true)))
+    if (is_narrow(tangent_at_end(from_a, true), tangent_at_end(from_b, true)))
       level_ends(i, j, node, from_a, from_b);
     else if (!cones_apart(from_a, from_b, margin))
       split_thicker(i, j);
@@ -172,26 +125,24 @@ class Round {
     const double height_i = hull_height(spans_.polygon(i)), height_j = hull_height(spans_.polygon(j));
     const auto extent = [this](std::size_t k) { return spans_.box(k).size(); };
     if (std::max(height_i, height_j) <= 1e-15 * (extent(i) + extent(j))) return;
-    wish(height_i >= height_j ? i : j, 0.5, height_i >= height_j ? j : i);
+    const auto [thicker, rival] = height_i >= height_j ? std::pair(i, j) : std::pair(j, i);
+    wish(thicker, wedges_.middle_of(thicker), rival);
   }
 
   void level_ends(std::size_t i, std::size_t j, int node, std::span<const Point> a, std::span<const Point> b) {
     const double length_a = length(a.back()), length_b = length(b.back());
     const double shorter = std::min(length_a, length_b), longer = std::max(length_a, length_b);
-    if (longer <= (1 + same_radius) * shorter) return;
+    if (wedges_.are_level({length_a, a.back()}, {length_b, b.back()})) return;
     // Both are cut at the same distance; only the longer one where that leaves no sliver beyond the cut.
     const double radius = longer < 2 * shorter ? shorter / 2 : shorter;
-    for (const auto& [k, polygon] : {std::pair(i, a), std::pair(j, b)}) {
-      if (length(polygon.back()) <= (1 + same_radius) * radius) continue;
-      const double s = parameter_at(polygon, {}, radius, true);
-      wish(k, spans_[k].from == node ? s : 1 - s, k == i ? j : i);
-    }
+    for (const auto& [k, length, rival] : {std::tuple(i, length_a, j), std::tuple(j, length_b, i)})
+      if (length > (1 + 1e-9) * radius) wish(k, wedges_.place_at(k, node, radius), rival);
   }
 
   BoundarySpans spans_;
+  Wedges wedges_;
   std::vector<double> wish_;
-  std::map<std::pair<int, int>, int> wedges_;  // by two curves: the vertex that both leave
-  std::vector<int> rival_;                     // the span that each is to be kept apart from; -1: it turns too much
+  std::vector<int> rival_;  // the span that each is to be kept apart from; -1: it turns too much
 };
 
 }  // namespace
@@ -209,6 +160,8 @@ Vector tangent_at_end(std::span<const Point> polygon, bool at_start) {
   }
   return {};
 }
+
+bool is_narrow(const Vector& a, const Vector& b) { return is_angle_below(sharp, a, b); }
 
 bool is_cusp(const Vector& a, const Vector& b) { return is_angle_below(1e-9, a, b); }
 
@@ -241,7 +194,7 @@ TameOutcome tame_spans(BoundaryComplex& boundary) {
       if (i + 1 == most_rounds && wrong.empty()) wrong = round.describe(boundary, k);
       ++outcome.splits;
       if (split_span(boundary, round.spans()[k], least, s)) continue;
-      outcome.failure = round.describe(boundary, k) + ": a span would be shorter than 1e-9 of the boundary's size";
+      outcome.failure = round.describe(boundary, k) + ": a span would be shorter than 1e-13 of the boundary's size";
       return outcome;
     }
     if (!any) return outcome;

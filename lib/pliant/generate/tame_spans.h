@@ -9,10 +9,11 @@ namespace pliant {
 
 /// Splits spans (knot insertion, shapes unchanged) until no control polygon turns by more than 60 degrees, no two spans
 /// have both ends in common, and the hulls of all spans are apart but for common ends. The chords are then a planar
-/// straight-line graph of the same topology. At a cusp hulls cannot be apart, nor at angles below 1e-6 radians but for
-/// spans as short: there the two chords get the same length, which puts them in the order of the curves.
+/// straight-line graph of the same topology. At a cusp hulls cannot be apart, nor at angles below 1e-3 radians but for
+/// spans as short: there the ends of both sides get the same distances from the corner, which puts their chords in the
+/// order of the curves.
 ///
-/// Refuses     with the place, where a span would become shorter than 1e-9 of the boundary's size
+/// Refuses     with the place, where a span would become shorter than 1e-13 of the boundary's size
 /// Complexity  O(n log n) a round, a few rounds
 struct TameOutcome {
   std::string failure;  ///< empty: done
@@ -31,6 +32,9 @@ std::string describe_span(const BoundaryComplex& boundary, const BoundarySpan& s
 
 /// Direction of a span at one of its ends, away from it: the first leg of its polygon that has a length.
 Vector tangent_at_end(std::span<const Point> polygon, bool at_start);
+
+/// True if the directions of two spans at a common end differ by less than 1e-3 radians.
+bool is_narrow(const Vector& a, const Vector& b);
 
 /// True if the directions of two spans at a common end differ by less than 1e-9 radians.
 bool is_cusp(const Vector& a, const Vector& b);

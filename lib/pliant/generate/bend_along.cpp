@@ -1,0 +1,120 @@
+// lib/pliant/generate/bend_along.cpp: thin elements beside a curve take up its bend as a whole
+#include <algorithm>
+#include <array>
+
+#include "pliant/generate/lift_triangles.h"
+#include "pliant/geometry/net_layout.h"
+
+namespace pliant {
+namespace {
+
+template <class I>
+std::size_t at(I i) {
+  return static_cast<std::size_t>(i);
+}
+
+constexpr double most_short = 0.5;  // of the two long edges: the third one of a thin element
+
+/// What an edge's control points are off their straight places, from its origin on.
+using Bend = std::array<Vector, max_degree + 1>;
+
+Bend mean(const Bend& a, const Bend& b) {
+  Bend both;
+  for (std::size_t k = 0; k < both.size(); ++k) both[k] = (a[k] + b[k]) / 2;
+  return both;
+}
+Bend reversed(const Bend& a, int degree) {
+  Bend back{};
+  for (int k = 0; k <= degree; ++k) back[at(k)] = a[at(degree - k)];
+  return back;
+}
+
+}  // namespace
+
+/// The bend of the curved one of an element's two long edges, as seen from the corner between them; where the edge
+/// that is not `long_edge` lies on a curve, and the third edge is short.
+std::optional<std::array<Vector, max_degree + 1>> LiftedMesh::bend_beside(int t, int long_edge, bool at_origin) const {
+  const int other = at_origin ? (long_edge + 2) % 3 : (long_edge + 1) % 3, third = 3 - long_edge - other;
+  if (planar_.span(3 * t + other) < 0) return std::nullopt;
+  const auto own = net(t);
+  const auto edge_length = [&](int e) { return distance(points_[at(own[at(e)])], points_[at(own[at((e + 1) % 3)])]); };
+  if (edge_length(third) > most_short * std::min(edge_length(long_edge), edge_length(other))) return std::nullopt;
+  const NetLayout& layout = NetLayout::of(degree_);
+  Bend bend{};
+  const Point &a = points_[at(own[at(other)])], &b = points_[at(own[at((other + 1) % 3)])];
+  for (int k = 1; k < degree_; ++k)
+    bend[at(k)] = points_[at(own[at(layout.edge_index(other, k))])] - ((degree_ - k) * a + k * b) / degree_;
+  return at_origin ? reversed(bend, degree_) : bend;
+}
+
+/// Gives the control points of an element that lie k steps from a corner the k-th displacement.
+void LiftedMesh::bend_interior(int t, int corner, const std::array<Vector, max_degree + 1>& bend) {
+  const NetLayout& layout = NetLayout::of(degree_);
+  const auto own = net(t);
+  for (int n = layout.first_interior(); n < layout.size(); ++n) {
+    const std::array<int, 3>& ijk = layout.exponents(n);
+    Point place;
+    for (int c = 0; c < 3; ++c) place += (double(ijk[at(c)]) / degree_) * points_[at(own[at(c)])];
+    points_[at(own[at(n)])] = place + bend[at(degree_ - ijk[at(corner)])];
+  }
+}
+
+/// The tip of a wedge: both long edges lie on curves, only the inside can follow them.
+bool LiftedMesh::bend_tip(int t) {
+  for (int c = 0; c < 3; ++c) {
+    // Edge c leaves corner c, the edge before it ends there.
+    const auto leaving = bend_beside(t, (c + 2) % 3, false), arriving = bend_beside(t, c, true);
+    if (!leaving || !arriving) continue;
+    const NetLayout& layout = NetLayout::of(degree_);
+    const auto own = net(t);
+    std::array<Point, net_size(max_degree)> before;
+    for (std::size_t n = 0; n < own.size(); ++n) before[n] = points_[at(own[n])];
+    bend_interior(t, c, mean(*leaving, *arriving));
+    if (is_valid(t)) return true;
+    for (int n = layout.first_interior(); n < layout.size(); ++n) points_[at(own[at(n)])] = before[at(n)];
+  }
+  return false;
+}
+
+/// Bends an inner edge, and the elements beside it, as the curves do that run beside it: between two curves that are
+/// closer to each other than they bend no control point can be placed alone. Kept where the element becomes valid and
+/// the other one stays as valid as it was.
+bool LiftedMesh::bend_along_curves(int t) {
+  if (bend_tip(t)) return true;
+  const NetLayout& layout = NetLayout::of(degree_);
+  for (int e = 0; e < 3; ++e)
+    for (const bool at_origin : {true, false}) {
+      const int h = 3 * t + e, g = planar_.twin(h);
+      if (planar_.span(h) >= 0 || g < 0) continue;
+      const auto own_bend = bend_beside(t, e, at_origin);
+      if (!own_bend) continue;
+      // From the edge's other end, seen from the twin: the same corner of the quadrilateral, or the one across.
+      const int u = g / 3, f = g % 3;
+      Bend along = at_origin ? *own_bend : reversed(*own_bend, degree_);
+      for (const bool at_twins_origin : {true, false})
+        if (const auto beyond = bend_beside(u, f, at_twins_origin)) {
+          along = mean(along, at_twins_origin ? reversed(*beyond, degree_) : *beyond);
+          break;
+        }
+      std::array<std::array<Point, net_size(max_degree)>, 2> before;
+      for (std::size_t i = 0; i < 2; ++i)
+        for (std::size_t n = 0; n < net(t).size(); ++n) before[i][n] = points_[at(net(i == 0 ? t : u)[n])];
+      const bool was_valid = is_valid(u);
+      const auto own = net(t);
+      const Point a = points_[at(own[at(e)])], b = points_[at(own[at((e + 1) % 3)])];
+      for (int k = 1; k < degree_; ++k)
+        points_[at(own[at(layout.edge_index(e, k))])] = ((degree_ - k) * a + k * b) / degree_ + along[at(k)];
+      bend_interior(t, at_origin ? e : (e + 1) % 3, at_origin ? along : reversed(along, degree_));
+      for (const bool at_twins_origin : {true, false})
+        if (bend_beside(u, f, at_twins_origin)) {
+          bend_interior(u, at_twins_origin ? f : (f + 1) % 3, at_twins_origin ? reversed(along, degree_) : along);
+          break;
+        }
+      if (is_valid(t) && (is_valid(u) || !was_valid)) return true;
+      for (std::size_t i = 0; i < 2; ++i)
+        for (std::size_t n = 0; n < net(t).size(); ++n) points_[at(net(i == 0 ? t : u)[n])] = before[i][n];
+    }
+  return false;
+}
+
+}  // namespace pliant
