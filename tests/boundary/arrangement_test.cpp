@@ -216,7 +216,8 @@ TEST_CASE("what is painted over, twice or within comes out once", "[boundary]") 
     CHECK(a.boundary.curves.size() == 1);
   }
   SECTION("the same shape once each way is nothing") {
-    std::vector<Point> back(big.points().rbegin(), big.points().rend());
+    std::vector<Point> back = big.points();
+    std::reverse(back.begin(), back.end());
     const Arrangement a = arrange(std::vector<FilledFace>{filled("none", {big, closed_spline(2, back)})});
     CHECK(a.faults.empty());
     CHECK(a.boundary.faces.empty());

@@ -65,9 +65,16 @@ class RandomChanges {
         if (alive) mesh_.set_vertex_half_edge(p, random_() % 2 ? h : none);
         return;
       case 15: {
-        BSpline spline = mesh_.spline(0);
-        spline.set_point(0, {number(), number()});
-        return mesh_.set_spline(0, std::move(spline), number());
+        const BSpline& spline = mesh_.spline(0);
+        mesh_.set_curve_point(0, below(static_cast<std::int32_t>(spline.points().size())), {number(), number()});
+        mesh_.set_removal_error(0, number());
+        const std::vector<double> breaks = spline.breaks();
+        const double knot = breaks[static_cast<std::size_t>(below(static_cast<std::int32_t>(breaks.size())))];
+        if (random_() % 2)
+          mesh_.remove_break(0, knot);
+        else if (spline.multiplicity(knot) < spline.degree())
+          mesh_.insert_knot(0, knot);
+        return;
       }
       default:
         return mesh_.drop_place(p, 0);

@@ -59,7 +59,8 @@ class Structure {
   void check_curve(std::size_t c) {
     const Curve& curve = boundary_.curves[c];
     const BSpline& spline = curve.spline;
-    if (const auto wrong = BSpline::fault(spline.degree(), spline.closed(), spline.knots(), spline.points())) {
+    if (const auto wrong =
+            BSpline::fault(spline.degree(), spline.closed(), spline.knots().to_vector(), spline.points().to_vector())) {
       fault("/curves/" + std::to_string(c), describe(c) + ": " + *wrong);
       return;
     }

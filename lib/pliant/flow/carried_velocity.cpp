@@ -10,20 +10,22 @@ namespace pliant {
 CarriedVelocity::CarriedVelocity(const Mesh& mesh, int field)
     : mesh_(mesh), field_(mesh.fields()[static_cast<std::size_t>(field)]) {
   const BoundaryComplex& boundary = mesh.boundary();
-  for (const Curve& curve : boundary.curves)
-    spans_.emplace_back(static_cast<std::size_t>(curve.spline.span_count()), none);
+  for (const Curve& curve : boundary.curves) {
+    breaks_.push_back(curve.spline.breaks());
+    spans_.emplace_back(breaks_.back().size() - 1, none);
+  }
   vertices_.assign(boundary.vertices.size(), none);
   for (HalfEdgeId h = 0; h < 3 * mesh.triangle_slots(); ++h) {
     if (!mesh.is_alive(triangle_of(h)) || !mesh.is_constrained(h)) continue;
     const ConstraintId constraint = mesh.constraint(h);
     const CurveId c = mesh.constraint_curve(constraint);
     const Curve& curve = boundary.curves[static_cast<std::size_t>(c)];
-    const int span = curve.spline.span_at(mesh.constraint_start(constraint));
-    spans_[static_cast<std::size_t>(c)][static_cast<std::size_t>(span)] = h;
+    const std::size_t span = span_at(c, mesh.constraint_start(constraint));
+    spans_[static_cast<std::size_t>(c)][span] = h;
     if (curve.spline.closed()) continue;
     const bool forward = mesh.runs_forward(h);
     if (span == 0) vertices_[static_cast<std::size_t>(curve.start)] = forward ? mesh.origin(h) : mesh.target(h);
-    if (span == curve.spline.span_count() - 1)
+    if (span + 1 == spans_[static_cast<std::size_t>(c)].size())
       vertices_[static_cast<std::size_t>(curve.end)] = forward ? mesh.target(h) : mesh.origin(h);
   }
 }
@@ -38,12 +40,19 @@ Vector CarriedVelocity::at_vertex(int v) const {
   return p == none ? Vector{} : at_point(p);  // a vertex without a curve carries nothing
 }
 
+std::size_t CarriedVelocity::span_at(CurveId c, double t) const {
+  const std::vector<double>& breaks = breaks_[static_cast<std::size_t>(c)];
+  if (t >= breaks.back()) return mesh_.spline(c).closed() ? 0 : breaks.size() - 2;
+  const auto after = std::upper_bound(breaks.begin() + 1, breaks.end() - 1, t);
+  return static_cast<std::size_t>(after - breaks.begin()) - 1;
+}
+
 Vector CarriedVelocity::on_curve(CurveId c, double t) const {
-  const BSpline& spline = mesh_.spline(c);
-  const int span = spline.span_at(t);
-  const HalfEdgeId h = spans_[static_cast<std::size_t>(c)][static_cast<std::size_t>(span)];
-  const double t0 = mesh_.constraint_start(mesh_.constraint(h));
-  const double s = std::clamp((t - t0) / (spline.span_end(t0) - t0), 0.0, 1.0);
+  const std::vector<double>& breaks = breaks_[static_cast<std::size_t>(c)];
+  const std::size_t span = span_at(c, t);
+  const HalfEdgeId h = spans_[static_cast<std::size_t>(c)][span];
+  const double t0 = breaks[span], t1 = breaks[span + 1];
+  const double s = std::clamp(((t >= t1 && span == 0 && mesh_.spline(c).closed() ? t0 : t) - t0) / (t1 - t0), 0.0, 1.0);
   std::array<double, 2 * (max_degree + 1)> polygon;
   const int degree = mesh_.degree();
   for (int k = 0; k <= degree; ++k) {

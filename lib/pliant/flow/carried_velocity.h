@@ -1,4 +1,5 @@
 #pragma once  // lib/pliant/flow/carried_velocity.h: the velocity that a mesh carries as a field, seen from its boundary
+#include <cstddef>
 #include <vector>
 
 #include "pliant/mesh/mesh.h"
@@ -15,8 +16,11 @@ class CarriedVelocity {
   Vector on_curve(CurveId c, double t) const;
 
  private:
+  /// The span that contains t; a closed curve's end is its start.
+  std::size_t span_at(CurveId c, double t) const;
   const Mesh& mesh_;
   const Field& field_;
+  std::vector<std::vector<double>> breaks_;     ///< by curve
   std::vector<std::vector<HalfEdgeId>> spans_;  ///< curve, span -> its edge
   std::vector<PointId> vertices_;               ///< boundary vertex -> mesh vertex
 };

@@ -118,7 +118,7 @@ std::optional<std::string> BSpline::fault(int degree, bool closed, std::span<con
 
 BSpline::BSpline(int degree, bool closed, std::vector<double> knots, std::vector<Point> points)
     : degree_(degree), closed_(closed), knots_(std::move(knots)), points_(std::move(points)) {
-  assert(!fault(degree_, closed_, knots_, points_));
+  assert(!fault(degree_, closed_, knots_.to_vector(), points_.to_vector()));
 }
 
 double BSpline::first_parameter() const { return knots_.front(); }
@@ -160,16 +160,9 @@ std::vector<double> BSpline::breaks() const {
   return result;
 }
 
-int BSpline::span_count() const {
+int BSpline::span_count(int most) const {
   int count = 0;
-  for (std::size_t i = 1; i < knots_.size(); ++i) count += knots_[i - 1] < knots_[i];
-  return count;
-}
-
-int BSpline::span_at(double t) const {
-  const auto end = static_cast<std::size_t>(interval(t));
-  int count = 0;
-  for (std::size_t i = 1; i <= end; ++i) count += knots_[i - 1] < knots_[i];
+  for (std::size_t i = 1; i < knots_.size() && count < most; ++i) count += knots_[i - 1] < knots_[i];
   return count;
 }
 

@@ -1,11 +1,13 @@
 #pragma once  // lib/pliant/geometry/bspline.h: planar B-spline curves of any degree, open (clamped) and closed
-#include <array>
+#include <cstdint>
+#include <limits>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "pliant/geometry/point.h"
+#include "pliant/geometry/sequence.h"
 
 namespace pliant {
 
@@ -32,23 +34,23 @@ class BSpline {
 
   int degree() const { return degree_; }
   bool closed() const { return closed_; }
-  const std::vector<double>& knots() const { return knots_; }
-  const std::vector<Point>& points() const { return points_; }
-  /// Moves one control point (the seam of a closed curve needs nothing special: points are not repeated).
-  void set_point(int i, const Point& p) { points_[static_cast<std::size_t>(i)] = p; }
+  const Sequence<double>& knots() const { return knots_; }
+  const Sequence<Point>& points() const { return points_; }
 
   double first_parameter() const;
   double last_parameter() const;
   double period() const { return last_parameter() - first_parameter(); }
   /// Knot i of the infinite (closed) or stored (open) sequence.
   double knot(int i) const;
+  /// The greatest i (stored; open: below the last non-empty span's end) with knot(i) <= t: control points i - degree to
+  /// i, on a closed curve continued periodically, are those that matter at t.   Complexity O(log knots)
+  int interval(double t) const;
 
-  int span_count() const;
+  /// How many spans there are; counts no further than `most`.   Complexity O(min(knots, most * degree))
+  int span_count(int most = std::numeric_limits<int>::max()) const;
   /// All breaks in ascending order: span s is [breaks[s], breaks[s + 1]]; span_count() + 1 values (closed: the last is
   /// the first plus the period).   Complexity O(knots)
   std::vector<double> breaks() const;
-  /// Number of the span that contains t (t at a break: the span that starts there; at the end: the last one).
-  int span_at(double t) const;
   /// The end t1 of the span that starts at the break t0.   Complexity O(log knots)
   double span_end(double t0) const;
   /// The start of the span that ends at break t1 (closed: continued periodically below the first break, returned in
@@ -66,28 +68,31 @@ class BSpline {
   /// multiplicity `degree` are copied bit for bit, and the end of one span equals the start of the next bit for bit.
   void extract(double t0, std::span<Point> out) const;
 
-  /// Inserts t (once more): shape unchanged. Requires first < t < last or closed; multiplicity < degree after.
-  /// Complexity O(degree^2) arithmetic, O(points) moves
-  void insert_knot(double t);
-  /// What one insertion changed: enough to take it back bit for bit.
-  struct KnotInsertion {
-    int knot, first, count;  ///< index of the new knot; of the first new control point; how many are new
-    std::array<Point, max_curve_degree> points;  ///< those that were there, one less
+  /// One change of one knot or control point: enough to take it back bit for bit. Changes note theirs in a list.
+  struct Edit {
+    enum class Kind : std::uint8_t { set_point, insert_point, erase_point, set_knot, insert_knot, erase_knot };
+    Kind kind;
+    int index;
+    Point old;  ///< what was there; a knot is its x
   };
-  /// The same, unless control points on both sides of a closed curve's seam change: then empty, curve unchanged.
-  /// Complexity O(degree^2) arithmetic, O(points) bytes moved by the memory's own speed
-  std::optional<KnotInsertion> insert_knot_locally(double t);
+  using Edits = std::vector<Edit>;
   /// Requires that nothing has changed since.
-  void take_back(const KnotInsertion& insertion);
+  void take_back(const Edit& edit);
+  /// Moves one control point (the seam of a closed curve needs nothing special: points are not repeated).
+  void set_point(int i, const Point& p, Edits* edits = nullptr);
 
+  /// Inserts t (once more): shape unchanged. Requires first < t < last or closed; multiplicity < degree after.
+  /// Complexity O(degree^2), and what an insertion into a Sequence costs
+  void insert_knot(double t, Edits* edits = nullptr);
   /// Removes break t once; `error` is a bound of the distance between old and new curve (largest movement of a control
   /// point in the old knots: exact bound by the partition of unity). The new control points minimise it in the
   /// least-squares sense. Empty, curve unchanged, when refused (end of an open curve, fewer than degree points left on
   /// a closed one, no knot at t). Only degree - multiplicity control points change. When the first break of a closed
   /// curve loses its last knot, the next break becomes the first one (the period stays).
-  std::optional<double> remove_knot(double t);
+  /// Complexity O(degree^2), and what an erasure from a Sequence costs
+  std::optional<double> remove_knot(double t, Edits* edits = nullptr);
   /// Removes break t altogether (all its multiplicity); the bound is the sum. Refuses as above, curve unchanged.
-  std::optional<double> remove_break(double t);
+  std::optional<double> remove_break(double t, Edits* edits = nullptr);
 
   /// The Greville abscissae: mean of degree consecutive knots; one for each control point (closed: reduced to the
   /// period).
@@ -98,17 +103,18 @@ class BSpline {
 
   /// The same curve at degree + 1 (every break's multiplicity grows by one); open ends stay bit for bit.
   BSpline elevated() const;
+  /// Area swept by the span that starts at break t0 as seen from `origin`, as `area` says.   Complexity O(degree^3)
+  double swept_area(double t0, const Point& origin) const;
   /// Signed area swept: half the integral of x dy - y dx, exact to rounding (for closed curves the enclosed area).
   double area() const;
   double arc_length() const;  ///< to 1e-12 relative on tame curves, by Gauss rules on halved spans
 
  private:
-  /// An insertion of t, its points those that will be there.
-  KnotInsertion plan_insertion(double& t) const;
+  void insert_point(int i, Edits* edits);
+  void erase_point(int i, Edits* edits);
+  void erase_knot(int i, Edits* edits);
   /// Control point i, periodically continued on a closed curve.
   const Point& point(int i) const;
-  /// The greatest i (stored; open: below the last non-empty span's end) with knot(i) <= t.
-  int interval(double t) const;
   /// Greville abscissa i, on a closed curve not reduced to the period: between knots i + 1 and i + degree.
   double unreduced_greville(int i) const;
   /// The blossom at `degree` ascending arguments that contain every knot strictly between their ends.
@@ -116,8 +122,8 @@ class BSpline {
 
   int degree_ = 0;
   bool closed_ = false;
-  std::vector<double> knots_;
-  std::vector<Point> points_;
+  Sequence<double> knots_;
+  Sequence<Point> points_;
 };
 
 }  // namespace pliant

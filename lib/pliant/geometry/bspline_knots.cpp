@@ -35,6 +35,18 @@ void solve_bidiagonal(int n, std::span<const double> alpha, std::span<Point> b) 
   }
 }
 
+/// What `at_slot` says of the slots near the two ends of `size`, as far as a change at a seam reaches.
+template <class AtSlot>
+std::vector<std::pair<int, Point>> near_seam(int size, int degree, const AtSlot& at_slot) {
+  std::vector<std::pair<int, Point>> found;
+  const int reach = 2 * degree + 2;
+  for (int slot = 0; slot < size; ++slot) {
+    if (slot == reach && size > 2 * reach) slot = size - reach;
+    found.emplace_back(slot, at_slot(slot));
+  }
+  return found;
+}
+
 /// A stretch of a knot sequence with the control points that it determines: knots.size() - degree - 1 of them.
 struct Stretch {
   int degree;
@@ -63,55 +75,80 @@ struct Stretch {
 
 }  // namespace
 
-BSpline::KnotInsertion BSpline::plan_insertion(double& t) const {
-  const int p = degree_;
+void BSpline::set_point(int i, const Point& p, Edits* edits) {
+  Point& here = points_[static_cast<std::size_t>(i)];
+  if (edits) edits->push_back({Edit::Kind::set_point, i, here});
+  here = p;
+}
+
+void BSpline::insert_point(int i, Edits* edits) {
+  if (edits) edits->push_back({Edit::Kind::insert_point, i, {}});
+  points_.insert(static_cast<std::size_t>(i), {});
+}
+
+void BSpline::erase_point(int i, Edits* edits) {
+  if (edits) edits->push_back({Edit::Kind::erase_point, i, point(i)});
+  points_.erase(static_cast<std::size_t>(i));
+}
+
+void BSpline::erase_knot(int i, Edits* edits) {
+  if (edits) edits->push_back({Edit::Kind::erase_knot, i, {knot(i), 0}});
+  knots_.erase(static_cast<std::size_t>(i));
+}
+
+void BSpline::take_back(const Edit& edit) {
+  const auto i = static_cast<std::size_t>(edit.index);
+  switch (edit.kind) {
+    case Edit::Kind::set_point:
+      points_[i] = edit.old;
+      break;
+    case Edit::Kind::insert_point:
+      points_.erase(i);
+      break;
+    case Edit::Kind::erase_point:
+      points_.insert(i, edit.old);
+      break;
+    case Edit::Kind::set_knot:
+      knots_[i] = edit.old.x;
+      break;
+    case Edit::Kind::insert_knot:
+      knots_.erase(i);
+      break;
+    case Edit::Kind::erase_knot:
+      knots_.insert(i, edit.old.x);
+      break;
+  }
+}
+
+void BSpline::insert_knot(double t, Edits* edits) {
+  const int p = degree_, n = static_cast<int>(points_.size());
   if (closed_ && t == last_parameter()) t = first_parameter();
   assert(first_parameter() <= t && t < last_parameter() && (closed_ || t > first_parameter()));
   const int s = multiplicity(t), k = interval(t);
   assert(s < p);
-  KnotInsertion plan{k + 1, k - p + 1, p - s, {}};
-  for (int j = 0; j < plan.count; ++j) {
-    const int i = plan.first + j;
-    const double alpha = (t - knot(i)) / (knot(i + p) - knot(i));
-    plan.points[static_cast<std::size_t>(j)] = (1 - alpha) * point(i - 1) + alpha * point(i);
+  const int first = k - p + 1, count = p - s;
+  std::array<Point, max_curve_degree> fresh;
+  for (int j = 0; j < count; ++j) {
+    const double alpha = (t - knot(first + j)) / (knot(first + j + p) - knot(first + j));
+    fresh[static_cast<std::size_t>(j)] = (1 - alpha) * point(first + j - 1) + alpha * point(first + j);
   }
-  return plan;
-}
-
-std::optional<BSpline::KnotInsertion> BSpline::insert_knot_locally(double t) {
-  KnotInsertion plan = plan_insertion(t);
-  const int last = plan.first + plan.count - 1;
-  if (plan.first < 0 || last > static_cast<int>(points_.size())) return std::nullopt;
-  std::array<Point, max_curve_degree> old{};
-  std::copy_n(points_.begin() + plan.first, plan.count - 1, old.begin());
-  points_.insert(points_.begin() + last, Point{});
-  std::copy_n(plan.points.begin(), plan.count, points_.begin() + plan.first);
-  knots_.insert(knots_.begin() + plan.knot, t);
-  plan.points = old;
-  return plan;
-}
-
-void BSpline::take_back(const KnotInsertion& insertion) {
-  knots_.erase(knots_.begin() + insertion.knot);
-  points_.erase(points_.begin() + insertion.first + insertion.count - 1);
-  std::copy_n(insertion.points.begin(), insertion.count - 1, points_.begin() + insertion.first);
-}
-
-void BSpline::insert_knot(double t) {
-  if (insert_knot_locally(t)) return;
-  const KnotInsertion plan = plan_insertion(t);
-  const int n = static_cast<int>(points_.size());
-  std::vector<Point> next(static_cast<std::size_t>(n) + 1);
-  for (int slot = 0; slot <= n; ++slot) {
-    const int j = modulo(slot - plan.first, n + 1);
-    next[static_cast<std::size_t>(slot)] =
-        j < plan.count ? plan.points[static_cast<std::size_t>(j)] : point(plan.first + j - 1);
+  if (first >= 0) {
+    insert_point(first + count - 1, edits);
+    for (int j = 0; j < count; ++j) set_point(first + j, fresh[static_cast<std::size_t>(j)], edits);
+  } else {  // round the seam: what is far from it moves one place on
+    const auto at_slot = [&](int slot) {
+      const int j = modulo(slot - first, n + 1);
+      return j < count ? fresh[static_cast<std::size_t>(j)] : point(first + j - 1);
+    };
+    const std::vector<std::pair<int, Point>> ends = near_seam(n + 1, p, at_slot);
+    insert_point(0, edits);
+    for (const auto& [slot, place] : ends) set_point(slot, place, edits);
   }
-  points_ = std::move(next);
-  knots_.insert(knots_.begin() + plan.knot, t);
+  if (edits) edits->push_back({Edit::Kind::insert_knot, k + 1, {}});
+  knots_.insert(static_cast<std::size_t>(k) + 1, t);
 }
 
-std::optional<double> BSpline::remove_knot(double t) {
+std::optional<double> BSpline::remove_knot(double t, Edits* edits) {
   const int p = degree_, m = static_cast<int>(points_.size());
   if (closed_ && t == last_parameter()) t = first_parameter();
   const int s = multiplicity(t);
@@ -142,32 +179,39 @@ std::optional<double> BSpline::remove_knot(double t) {
 
   const bool seam_goes = closed_ && r == 0 && s == 1;
   const int origin = closed_ && r == 0 && s > 1 ? -1 : 0;  // u_origin is the first knot
-  std::vector<Point> next(static_cast<std::size_t>(m) - 1);
-  for (int slot = 0; slot < m - 1; ++slot) {
-    const int j = closed_ ? modulo(slot + origin - from, m - 1) : slot - from;
-    next[static_cast<std::size_t>(slot)] = j < 0   ? point(slot)
-                                           : j < n ? x[static_cast<std::size_t>(j)]
-                                                   : point(from + j + 1);
+  if (from >= 0 && origin == 0) {
+    erase_point(from + n, edits);
+    for (int j = 0; j < n; ++j) set_point(from + j, x[static_cast<std::size_t>(j)], edits);
+  } else {  // round the seam: what is far from it moves one place back, or none
+    const auto at_slot = [&](int slot) {
+      const int j = modulo(slot + origin - from, m - 1);
+      return j < n ? x[static_cast<std::size_t>(j)] : point(from + j + 1);
+    };
+    const std::vector<std::pair<int, Point>> ends = near_seam(m - 1, p, at_slot);
+    erase_point(origin == 0 ? 0 : m - 1, edits);
+    for (const auto& [slot, place] : ends) set_point(slot, place, edits);
   }
-  points_ = std::move(next);
   if (seam_goes) {
-    knots_.back() += knots_[1] - knots_[0];
-    knots_.erase(knots_.begin());
+    if (edits) edits->push_back({Edit::Kind::set_knot, m, {knots_.back(), 0}});
+    knots_[static_cast<std::size_t>(m)] += knots_[1] - knots_[0];
+    erase_knot(0, edits);
   } else {
-    knots_.erase(origin < 0 ? knots_.end() - 2 : knots_.begin() + r);
+    erase_knot(origin < 0 ? m - 1 : r, edits);
   }
   return error;
 }
 
-std::optional<double> BSpline::remove_break(double t) {
-  const BSpline old = *this;
+std::optional<double> BSpline::remove_break(double t, Edits* edits) {
   const int s = multiplicity(t);
   if (s == 0) return std::nullopt;
+  Edits own;
+  Edits& all = edits ? *edits : own;
+  const std::size_t mark = all.size();
   double sum = 0;
   for (int i = 0; i < s; ++i) {
-    const auto error = remove_knot(t);
+    const auto error = remove_knot(t, &all);
     if (!error) {
-      *this = old;
+      for (; all.size() > mark; all.pop_back()) take_back(all.back());
       return std::nullopt;
     }
     sum += *error;

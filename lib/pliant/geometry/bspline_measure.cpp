@@ -10,7 +10,7 @@ namespace {
 
 /// Half the integral of x dy - y dx of a Bézier curve: a sum over products of Bernstein polynomials, each of which
 /// integrates to its binomial factor over 2p.
-double swept_area(int p, std::span<const Point> b) {
+double bezier_area(int p, std::span<const Point> b) {
   const auto binomial = [](int n, int k) {
     double c = 1;
     for (int i = 1; i <= k; ++i) c = c * (n - k + i) / i;
@@ -42,18 +42,20 @@ double refined_length(const BSpline& curve, double from, double to, double whole
 
 }  // namespace
 
-double BSpline::area() const {
+double BSpline::swept_area(double t0, const Point& origin) const {
   std::array<Point, max_curve_degree + 1> buffer;
   const std::span<Point> polygon(buffer.data(), static_cast<std::size_t>(degree_) + 1);
+  extract(t0, polygon);
+  for (Point& b : polygon) b -= origin;
+  return bezier_area(degree_, polygon);
+}
+
+double BSpline::area() const {
   // A closed curve's area does not depend on the origin: one nearby loses fewer digits.
   const Point origin = closed_ ? points_.front() : Point{};
   const std::vector<double> all = breaks();
   double sum = 0;
-  for (std::size_t s = 0; s + 1 < all.size(); ++s) {
-    extract(all[s], polygon);
-    for (Point& b : polygon) b -= origin;
-    sum += swept_area(degree_, polygon);
-  }
+  for (std::size_t s = 0; s + 1 < all.size(); ++s) sum += swept_area(all[s], origin);
   return sum;
 }
 

@@ -15,7 +15,7 @@ std::size_t at(int i) { return static_cast<std::size_t>(i); }
 /// Which vertices of a chain have knots that the control polygon needs.
 std::vector<bool> needed_knots(const BSpline& spline, const CurveChain& chain, double tolerance) {
   std::vector<bool> needed(chain.vertices.size(), false);
-  const std::vector<bool> keep = douglas_peucker(spline.points(), spline.closed(), tolerance);
+  const std::vector<bool> keep = douglas_peucker(spline.points().to_vector(), spline.closed(), tolerance);
   const int p = spline.degree();
   for (int i = 0; i < static_cast<int>(keep.size()); ++i) {
     if (!keep[at(i)]) continue;

@@ -76,6 +76,8 @@ std::vector<Fault> check_arrays(const MeshData& data) {
                           std::to_string(data.triangles.size() / n) + " triangles"});
   check_range(faults, data.triangles, "/triangles", data.points.size(), "points");
   check_range(faults, data.triangle_faces, "/triangle_faces", data.boundary.faces.size(), "faces");
+  std::vector<int> span_counts;
+  for (const Curve& curve : data.boundary.curves) span_counts.push_back(curve.spline.span_count());
   for (std::size_t k = 0; k < data.constrained_edges.size(); ++k) {
     const ConstrainedEdge& edge = data.constrained_edges[k];
     const std::string place = numbered("/constrained_edges/", k);
@@ -86,7 +88,7 @@ std::vector<Fault> check_arrays(const MeshData& data) {
     if (edge.curve < 0 || edge.curve >= static_cast<CurveId>(data.boundary.curves.size())) {
       faults.push_back({"document", place + "/curve", "names no curve of the boundary"});
     } else {
-      const int spans = data.boundary.curves[static_cast<std::size_t>(edge.curve)].spline.span_count();
+      const int spans = span_counts[static_cast<std::size_t>(edge.curve)];
       if (edge.span < 0 || edge.span >= spans)
         faults.push_back({"document", place + "/span",
                           "is " + std::to_string(edge.span) + "; the curve has " + std::to_string(spans) + " spans"});

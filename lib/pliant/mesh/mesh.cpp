@@ -247,27 +247,31 @@ void Mesh::forget_stale_pinches() {
   changed_pinches_.clear();
 }
 
-void Mesh::set_spline(CurveId c, BSpline spline, double removal_error) {
-  Curve& curve = boundary_.curves[at(c)];
-  if (recording_ > 0) {
-    log(Log::spline, 0, 0);
-    spline_log_.push_back({c, std::move(curve.spline), curve.removal_error});
-  }
-  curve.spline = std::move(spline);
-  curve.removal_error = removal_error;
+template <class Change>
+void Mesh::edit_curve(CurveId c, const Change& change) {
+  const std::size_t before = curve_edits_.size();
+  change(boundary_.curves[at(c)].spline, recording_ > 0 ? &curve_edits_ : nullptr);
+  for (std::size_t k = before; k < curve_edits_.size(); ++k) log(Log::curve_edit, at(c), 0);
 }
 
 void Mesh::insert_knot(CurveId c, double t) {
-  Curve& curve = boundary_.curves[at(c)];
-  if (const auto insertion = curve.spline.insert_knot_locally(t)) {
-    if (recording_ == 0) return;
-    log(Log::knot, 0, 0);
-    knot_log_.push_back({c, *insertion});
-    return;
-  }
-  BSpline spline = curve.spline;
-  spline.insert_knot(t);
-  set_spline(c, std::move(spline), curve.removal_error);
+  edit_curve(c, [t](BSpline& spline, BSpline::Edits* edits) { spline.insert_knot(t, edits); });
+}
+
+std::optional<double> Mesh::remove_break(CurveId c, double t) {
+  std::optional<double> error;
+  edit_curve(c, [&](BSpline& spline, BSpline::Edits* edits) { error = spline.remove_break(t, edits); });
+  return error;
+}
+
+void Mesh::set_curve_point(CurveId c, int i, const Point& place) {
+  edit_curve(c, [&](BSpline& spline, BSpline::Edits* edits) { spline.set_point(i, place, edits); });
+}
+
+void Mesh::set_removal_error(CurveId c, double error) {
+  double& old = boundary_.curves[at(c)].removal_error;
+  log(Log::removal_error, at(c), std::bit_cast<std::uint64_t>(old));
+  old = error;
 }
 
 // -- whole-mesh changes, not recorded

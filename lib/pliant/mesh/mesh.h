@@ -117,9 +117,11 @@ class Mesh {
   void set_constraint_record(ConstraintId c, CurveId curve, double start, PointId first);
   void free_constraint(ConstraintId c);
   void set_vertex_half_edge(PointId v, HalfEdgeId h);
-  void set_spline(CurveId c, BSpline spline, double removal_error);
-  /// Inserts a knot into a curve, as BSpline does: what the change costs does not grow with the curve.
+  /// Inserts a knot into a curve or removes a break, as BSpline does: what that costs does not grow with the curve.
   void insert_knot(CurveId c, double t);
+  std::optional<double> remove_break(CurveId c, double t);
+  void set_curve_point(CurveId c, int i, const Point& place);
+  void set_removal_error(CurveId c, double error);
   /// Drops places of by-face fields that name a face no longer around the point.
   void drop_place(PointId p, FaceId f);
 
@@ -139,15 +141,6 @@ class Mesh {
     std::uint32_t index;
     std::uint64_t bits;
   };
-  struct SplineBackup {
-    CurveId curve;
-    BSpline spline;
-    double removal_error;
-  };
-  struct KnotBackup {
-    CurveId curve;
-    BSpline::KnotInsertion insertion;
-  };
   template <class I>
   static constexpr std::size_t at(I i) {
     return static_cast<std::size_t>(i);
@@ -162,6 +155,9 @@ class Mesh {
   }
   void put_int(Log what, std::vector<std::int32_t>& array, std::size_t i, std::int32_t value);
   void put_value(std::size_t field, std::size_t i, double value);
+  /// Calls `change` with the curve and the list in which it notes its edits, null where nothing is recorded.
+  template <class Change>
+  void edit_curve(CurveId c, const Change& change);
   void undo(std::size_t mark);
   std::int32_t make_place(PointId p, FaceId f);
   bool leaves(HalfEdgeId h, PointId v) const { return is_alive(triangle_of(h)) && origin(h) == v; }
@@ -208,8 +204,7 @@ class Mesh {
   BoundaryComplex boundary_;
   std::vector<std::int32_t> free_triangles_, free_points_, free_constraints_;
   std::vector<LogEntry> log_;
-  std::vector<SplineBackup> spline_log_;
-  std::vector<KnotBackup> knot_log_;
+  BSpline::Edits curve_edits_;  // in the order of their entries in the log
   int recording_ = 0;
   bool changed_ = false;
 };

@@ -29,8 +29,8 @@ enum class Mesh::Log : std::uint32_t {
   push_place,
   insert_place,
   erase_place,
-  spline,
-  knot,
+  curve_edit,
+  removal_error,
   value
 };
 

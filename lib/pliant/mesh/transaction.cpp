@@ -97,16 +97,12 @@ void Mesh::undo(std::size_t mark) {
       case Log::erase_place:
         insert_place(entry.bits, static_cast<std::int32_t>(entry.index));
         break;
-      case Log::spline: {
-        SplineBackup& backup = spline_log_.back();
-        boundary_.curves[at(backup.curve)].spline = std::move(backup.spline);
-        boundary_.curves[at(backup.curve)].removal_error = backup.removal_error;
-        spline_log_.pop_back();
+      case Log::curve_edit:
+        boundary_.curves[i].spline.take_back(curve_edits_.back());
+        curve_edits_.pop_back();
         break;
-      }
-      case Log::knot:
-        boundary_.curves[at(knot_log_.back().curve)].spline.take_back(knot_log_.back().insertion);
-        knot_log_.pop_back();
+      case Log::removal_error:
+        boundary_.curves[i].removal_error = real;
         break;
       default: {
         const auto field = static_cast<std::uint32_t>(entry.what) - static_cast<std::uint32_t>(Log::value);
@@ -121,8 +117,7 @@ void Transaction::commit() {
   open_ = false;
   if (--mesh_.recording_ == 0) {
     mesh_.log_.clear();
-    mesh_.spline_log_.clear();
-    mesh_.knot_log_.clear();
+    mesh_.curve_edits_.clear();
     if (!mesh_.changed_pinches_.empty()) mesh_.forget_stale_pinches();
   }
 }

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "pliant/geometry/turning_angle.h"
 #include "pliant/ops/curve_passage.h"
@@ -19,6 +20,21 @@ void add_once(std::vector<TriangleId>& list, TriangleId t) {
   if (std::find(list.begin(), list.end(), t) == list.end()) list.push_back(t);
 }
 
+bool is_tolerable(const Curve& curve, double error, const CurveTolerance& tolerance) {
+  return curve.removal_error + error <= tolerance.total && error <= tolerance.step;
+}
+
+/// Removes a break from a curve of the mesh, without moving the mesh's points; how far the curve moves at most. Keeps
+/// the area if so wanted, unless the curve moves too far even without. In a transaction of the caller.
+std::optional<double> remove_break(Mesh& mesh, CurveId c, double knot, const CurveTolerance& tolerance) {
+  const Curve& curve = mesh.boundary().curves[at(c)];
+  std::optional<CurveStretch> before;
+  if (tolerance.keep_area) before.emplace(mesh, c, knot);
+  std::optional<double> error = mesh.remove_break(c, knot);
+  if (error && before && is_tolerable(curve, *error, tolerance)) error = before->restore_area(mesh);
+  return error;
+}
+
 }  // namespace
 
 CurveRemoval remove_curve_vertex(Mesh& mesh, PointId v, const CurveTolerance& tolerance, const RefitOptions& options) {
@@ -29,19 +45,19 @@ CurveRemoval remove_curve_vertex(Mesh& mesh, PointId v, const CurveTolerance& to
   const Curve& curve = mesh.boundary().curves[at(passage.curve)];
   const ConstraintId kept = mesh.constraint(passage.before), dropped = mesh.constraint(passage.after);
   const double knot = mesh.constraint_start(dropped), start = mesh.constraint_start(kept);
-  if (curve.spline.closed() ? curve.spline.span_count() <= 3 : knot <= curve.spline.first_parameter())
+  if (curve.spline.closed() ? curve.spline.span_count(4) <= 3 : knot <= curve.spline.first_parameter())
     return {Refusal::not_removable};
-  BSpline spline = curve.spline;
-  std::optional<double> error = spline.remove_break(knot);
+  // A trial first: the operations on ears ask for the curve as it is.
+  Transaction trial(mesh);
+  const std::optional<double> error = remove_break(mesh, passage.curve, knot, tolerance);
   if (!error) return {Refusal::not_removable};
   const auto refused = [&error](Refusal refusal) { return CurveRemoval{refusal, *error}; };
-  const auto is_tolerable = [&] { return curve.removal_error + *error <= tolerance.total && *error <= tolerance.step; };
-  if (is_tolerable() && tolerance.keep_area) error = restore_area(curve.spline, spline, knot);
-  if (!is_tolerable()) return refused(Refusal::exceeds_tolerance);
+  if (!is_tolerable(curve, *error, tolerance)) return refused(Refusal::exceeds_tolerance);
   std::array<Point, max_degree + 1> merged_polygon;
   const std::span<Point> long_span{merged_polygon.data(), at(mesh.degree() + 1)};
-  spline.extract(start, long_span);
+  curve.spline.extract(start, long_span);
   if (turning_angle(long_span) > tolerance.max_turning) return refused(Refusal::too_curved);
+  trial.roll_back();
   const PointId from = mesh.constraint_first(kept);
   const PointId to = mesh.origin(passage.after) == v ? mesh.target(passage.after) : mesh.origin(passage.after);
   if (find_half_edge(mesh, from, to) != none || find_half_edge(mesh, to, from) != none)
@@ -66,9 +82,11 @@ CurveRemoval remove_curve_vertex(Mesh& mesh, PointId v, const CurveTolerance& to
   find_footprint(mesh, now, footprint);
 
   // New places of the curve's points, before anything moves.
+  remove_break(mesh, passage.curve, knot, tolerance);  // as in the trial
+  mesh.set_removal_error(passage.curve, curve.removal_error + *error);
   const auto extract = [&](double t0) {
     std::array<Point, max_degree + 1> bezier{};
-    spline.extract(t0, {bezier.data(), at(p + 1)});
+    curve.spline.extract(t0, {bezier.data(), at(p + 1)});
     return bezier;
   };
   const auto note_shift = [&](PointId w, const Point& place) {
@@ -138,7 +156,6 @@ CurveRemoval remove_curve_vertex(Mesh& mesh, PointId v, const CurveTolerance& to
   mesh.free_constraint(dropped);
   free_edge_points(mesh, old_after);
   mesh.free_point(v);
-  mesh.set_spline(passage.curve, std::move(spline), curve.removal_error + *error);
 
   // Geometry: the curve as extracted; what hangs on moved vertices keeps its displacement.
   std::vector<TriangleId> after;
