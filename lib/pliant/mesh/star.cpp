@@ -56,6 +56,40 @@ HalfEdgeId find_at(const Mesh& mesh, PointId v, IsIt is_it) {
   return none;
 }
 
+/// A walk over the half-edges that leave a vertex which is not pinched.
+struct Walk {
+  const Mesh& mesh;
+  HalfEdgeId start, h;
+  bool is_clockwise = false;
+
+  Walk(const Mesh& around, PointId v) : mesh(around), start(around.vertex_half_edge(v)), h(start) {}
+  /// To the next one; false when all have been seen.
+  bool step() {
+    if (!is_clockwise) {
+      h = mesh.twin(previous(h));
+      if (h != none) return h != start;
+      is_clockwise = true;
+      h = start;
+    }
+    const HalfEdgeId g = mesh.twin(h);
+    h = g == none ? none : next(g);
+    return h != none;
+  }
+};
+
+/// Calls `from_a` with the half-edges that leave a and `from_b` with those that leave b, in turn, until one is not none
+/// or either star is done: what it costs is the smaller star's size.
+template <class FromA, class FromB>
+HalfEdgeId find_at_either(const Mesh& mesh, PointId a, PointId b, FromA from_a, FromB from_b) {
+  Walk at_a(mesh, a), at_b(mesh, b);
+  if (at_a.start < 0 || at_b.start < 0) return none;
+  do {
+    if (const HalfEdgeId found = from_a(at_a.h); found != none) return found;
+    if (const HalfEdgeId found = from_b(at_b.h); found != none) return found;
+  } while (at_a.step() && at_b.step());
+  return none;
+}
+
 }  // namespace
 
 void find_star(const Mesh& mesh, PointId v, Star& star) {
@@ -70,12 +104,21 @@ void find_star(const Mesh& mesh, PointId v, Star& star) {
 }
 
 HalfEdgeId find_half_edge(const Mesh& mesh, PointId a, PointId b) {
-  return find_at(mesh, a, [&mesh, b](HalfEdgeId h) { return mesh.target(h) == b; });
+  const auto from_a = [&mesh, b](HalfEdgeId h) { return mesh.target(h) == b; };
+  if (mesh.is_pinched(a) || mesh.is_pinched(b)) return find_at(mesh, a, from_a);
+  return find_at_either(
+      mesh, a, b, [&](HalfEdgeId h) { return from_a(h) ? h : none; },
+      [&mesh, a](HalfEdgeId h) { return mesh.apex(h) == a ? previous(h) : none; });
 }
 
 bool are_joined(const Mesh& mesh, PointId a, PointId b) {
   // The last edge of an open star leads only to a.
-  return find_at(mesh, a, [&mesh, b](HalfEdgeId h) { return mesh.target(h) == b || mesh.apex(h) == b; }) != none;
+  const auto leads_to = [&mesh](HalfEdgeId h, PointId v) { return mesh.target(h) == v || mesh.apex(h) == v; };
+  if (mesh.is_pinched(a) || mesh.is_pinched(b))
+    return find_at(mesh, a, [&](HalfEdgeId h) { return leads_to(h, b); }) != none;
+  return find_at_either(
+             mesh, a, b, [&](HalfEdgeId h) { return leads_to(h, b) ? h : none; },
+             [&](HalfEdgeId h) { return leads_to(h, a) ? h : none; }) != none;
 }
 
 bool is_on_curve(const Mesh& mesh, const Star& star) {

@@ -1,7 +1,9 @@
 // Places for the new control points of a patch: the displacement field of the logical region, fitted.
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <random>
 
 #include "pliant/geometry/bernstein.h"
@@ -21,7 +23,7 @@ constexpr int max_sweeps = 12;  // of optimal placement over several free points
 constexpr int least_sweeps = 4;
 constexpr double least_gain = 0.002;       // of the size of the least value: a sweep with less is the last
 constexpr int pieces_in_sweep = 200;       // a place that the next point's move changes need not be the very best
-constexpr std::size_t most_starts = 1600;  // of the search, times the square of the number of free points
+constexpr std::size_t most_starts = 6400;  // of the search, times the cube of the number of free points
 constexpr int max_steps = 12;              // of Gauss-Newton over all of them
 constexpr double wanted_ratio = 0.05;      // of det J's coefficients to their mean
 constexpr double weight_growth = 3;
@@ -105,10 +107,36 @@ bool sweep_placements(Mesh& mesh, std::span<const TriangleId> now, std::span<con
   return false;
 }
 
+/// Searches that found nothing, by the bits of all that decides them. A pass asks for the same flip again and again as
+/// long as nothing around it changes.
+class FruitlessSearches {
+ public:
+  /// True if this search is known to find nothing.
+  bool contains(const Mesh& mesh, std::span<const TriangleId> now, std::span<const PointId> free) {
+    key_.assign({static_cast<double>(mesh.degree()), static_cast<double>(free.size())});
+    for (const TriangleId t : now)
+      for (const PointId p : mesh.net(t)) {
+        const Point& place = mesh.point(p);
+        key_.insert(key_.end(), {place.x, place.y, static_cast<double>(index_in(free, p))});
+      }
+    slot_ = 0;
+    for (const double value : key_) slot_ = 1099511628211u * (slot_ ^ std::bit_cast<std::uint64_t>(value));
+    slot_ = (slot_ >> 32) % known_.size();
+    return known_[slot_] == key_;
+  }
+  /// Adds the search that was asked for last.
+  void add() { known_[slot_] = key_; }
+
+ private:
+  std::array<std::vector<double>, 256> known_;
+  std::vector<double> key_;
+  std::uint64_t slot_ = 0;
+};
+
 /// One free point: its best place decides. Several: their best places depend on where the search begins; it does so
 /// from where they are, then from what evens out det J, then from chance places in the patch, the same ones in every
 /// run.
-bool untangle(Mesh& mesh, std::span<const TriangleId> now, std::span<const PointId> free) {
+bool search(Mesh& mesh, std::span<const TriangleId> now, std::span<const PointId> free) {
   thread_local std::vector<Point> first;
   first.clear();
   for (const PointId p : free) first.push_back(mesh.point(p));
@@ -122,11 +150,24 @@ bool untangle(Mesh& mesh, std::span<const TriangleId> now, std::span<const Point
       if (index_in(free, p) < 0) box.extend(mesh.point(p));
   std::minstd_rand random(1);
   std::uniform_real_distribution<double> x(box.low.x, box.high.x), y(box.low.y, box.high.y);
-  const std::size_t starts = most_starts / (free.size() * free.size());
+  const std::size_t starts = most_starts / (free.size() * free.size() * free.size());
   for (std::size_t start = 0; start < starts; ++start) {
     for (const PointId p : free) mesh.set_point(p, {x(random), y(random)});
     if (sweep_placements(mesh, now, free)) return true;
   }
+  return false;
+}
+
+bool untangle(Mesh& mesh, std::span<const TriangleId> now, std::span<const PointId> free) {
+  // No place of a control point helps an element that lies between two smoothly joined edges.
+  if (std::any_of(now.begin(), now.end(), [&mesh](TriangleId t) { return covers_smooth_corner(mesh, t); }))
+    return false;
+  // Which corners may be degenerate is not part of what is remembered.
+  if (free.size() == 1 || !mesh.boundary().cusps.empty()) return search(mesh, now, free);
+  thread_local FruitlessSearches fruitless;
+  if (fruitless.contains(mesh, now, free)) return false;
+  if (search(mesh, now, free)) return true;
+  fruitless.add();
   return false;
 }
 
