@@ -256,3 +256,19 @@ TEST_CASE("a point that stands twice in one edge breaks M1", "[mesh]") {
     found = found || fault.text.find("used in two places") != fault.text.npos;
   CHECK(found);
 }
+
+// Counting the spans of the curve once an edge took minutes here.
+TEST_CASE("the arrays of a mesh whose curve has very many spans are looked at once", "[mesh]") {
+  constexpr int spans = 400000;
+  std::vector<Point> points;
+  for (int i = 0; i < spans; ++i) points.push_back({std::cos(i * 1e-3), std::sin(i * 1e-3)});
+  MeshData data;
+  data.degree = 2;
+  data.points.resize(3);
+  data.boundary.faces.resize(1);
+  data.boundary.curves.emplace_back().spline = samples::closed_spline(2, std::move(points));
+  for (int s = 0; s < spans; ++s) data.constrained_edges.push_back({0, s, {0, 1, 2}});
+  CHECK(check_arrays(data).empty());
+  data.constrained_edges.back().span = spans;
+  CHECK(check_arrays(data).size() == 1);
+}

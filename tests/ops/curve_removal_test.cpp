@@ -97,6 +97,31 @@ TEST_CASE(
       CHECK(mesh.boundary().curves[c].spline.area() == Approx(first[c].spline.area()).margin(1e-11));
 }
 
+// Looking at the whole curve for each removal took a quarter of an hour here.
+TEST_CASE("what a removal costs does not grow with the curve, nor what keeps its area", "[ops]") {
+  BoundaryComplex boundary;
+  boundary.faces.resize(1);
+  Curve& curve = boundary.curves.emplace_back();
+  curve.spline = samples::polar_spline(2, 20000, {0, 0}, [](double angle) { return 1 + 0.2 * std::cos(3 * angle); });
+  curve.left = 0;
+  curve.right = outside;
+  Mesh mesh;
+  REQUIRE(mesh_from_boundary(boundary, {2}, mesh).ok);
+  const double area = mesh.spline(0).area();
+  long done = 0;
+  Star star;
+  const PointId slots = mesh.point_slots();
+  for (PointId v = 0; v < slots; v += 3) {
+    if (!mesh.is_vertex(v)) continue;
+    find_star(mesh, v, star);
+    if (star.is_closed || star.outgoing.size() > 6) continue;
+    done += remove_curve_vertex(mesh, v, {1e-3, 1e-4, true}).refusal == Refusal::done;
+  }
+  CHECK(done > 1000);
+  CHECK(mesh.spline(0).area() == Approx(area).margin(1e-11));
+  CHECK(check_mesh(mesh).empty());
+}
+
 TEST_CASE("where a removal changes the region linear functions are reproduced, or integrals conserved, as asked",
           "[ops][property]") {
   const int degree = GENERATE(1, 2, 3);
