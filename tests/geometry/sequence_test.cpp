@@ -2,6 +2,7 @@
 #include "pliant/geometry/sequence.h"
 
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <random>
 
 #include "pliant/geometry/bspline.h"
@@ -63,12 +64,13 @@ TEST_CASE("a curve of a million spans gains and loses a hundred thousand knots, 
   BSpline curve = before;
   BSpline::Edits edits;
   std::size_t most = 0;
-  const auto note = [&, last = std::size_t{0}]() mutable {
+  std::size_t last = 0;
+  const auto note = [&] {
     most = std::max(most, edits.size() - last);
     last = edits.size();
   };
   for (int k = 0; k < changes; ++k) {
-    curve.insert_knot((k * 7919LL) % spans + 0.5, &edits);
+    curve.insert_knot(static_cast<double>(k * 7919LL % spans) + 0.5, &edits);
     note();
   }
   for (int k = 0; k < changes; ++k) {  // from the start: on a closed curve each is the first break

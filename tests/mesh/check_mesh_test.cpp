@@ -9,6 +9,7 @@
 #include <string>
 
 #include "ops/random_operations.h"
+#include "support/sample_boundaries.h"
 #include "support/sample_meshes.h"
 
 // Each breach is planted alone into a sound document, and has to be found by its name.
