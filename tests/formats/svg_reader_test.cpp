@@ -300,7 +300,7 @@ TEST_CASE("transforms apply from the inside out", "[svg]") {
   const auto points = [](const std::string& transform) {
     const SvgImport import =
         read(svg("<g transform='translate(100 200)'><path d='M1 2L5 2L5 9z' transform='" + transform + "'/></g>"));
-    auto out = import.boundary.curves.at(0).spline.points();
+    std::vector<Point> out = import.boundary.curves.at(0).spline.points();
     std::rotate(out.begin(), out.end() - 1, out.end());
     return out;
   };
