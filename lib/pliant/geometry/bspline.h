@@ -100,7 +100,8 @@ class BSpline {
   BSpline elevated() const;
   /// Signed area swept: half the integral of x dy - y dx, exact to rounding (for closed curves the enclosed area).
   double area() const;
-  double arc_length() const;  ///< to 1e-12 relative on tame curves, by Gauss rules on halved spans
+  double area(const Point& origin) const;  ///< swept as seen from there
+  double arc_length() const;               ///< to 1e-12 relative on tame curves, by Gauss rules on halved spans
 
  private:
   /// An insertion of t, its points those that will be there.

@@ -43,10 +43,13 @@ double refined_length(const BSpline& curve, double from, double to, double whole
 }  // namespace
 
 double BSpline::area() const {
+  // A closed curve's area does not depend on the origin: one nearby loses fewer digits.
+  return area(closed_ ? points_.front() : Point{});
+}
+
+double BSpline::area(const Point& origin) const {
   std::array<Point, max_curve_degree + 1> buffer;
   const std::span<Point> polygon(buffer.data(), static_cast<std::size_t>(degree_) + 1);
-  // A closed curve's area does not depend on the origin: one nearby loses fewer digits.
-  const Point origin = closed_ ? points_.front() : Point{};
   const std::vector<double> all = breaks();
   double sum = 0;
   for (std::size_t s = 0; s + 1 < all.size(); ++s) {

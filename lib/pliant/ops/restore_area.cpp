@@ -24,11 +24,15 @@ double restore_area(const BSpline& old, BSpline& spline, double knot) {
         break;
       }
     }
-  // The area is quadratic in the points, so central differences are its gradient.
+  // The area is quadratic in the points, so central differences are its gradient, whatever the step.
+  Box box;
+  for (const Point& point : old.points()) box.extend(point);
+  const Point origin = old.points().front();
+  const double step = std::ldexp(1.0, std::ilogb(box.size()));
   const auto area_with = [&](int k, const Point& place) {
     const Point kept = spline.points()[at(k)];
     spline.set_point(k, place);
-    const double area = spline.area();
+    const double area = spline.area(origin);
     spline.set_point(k, kept);
     return area;
   };
@@ -36,22 +40,21 @@ double restore_area(const BSpline& old, BSpline& spline, double knot) {
   std::vector<Vector> gradient;
   for (const int k : near) {
     const Point p0 = spline.points()[at(k)];
-    gradient.push_back({(area_with(k, p0 + Vector{1, 0}) - area_with(k, p0 - Vector{1, 0})) / 2,
-                        (area_with(k, p0 + Vector{0, 1}) - area_with(k, p0 - Vector{0, 1})) / 2});
+    gradient.push_back({(area_with(k, p0 + Vector{step, 0}) - area_with(k, p0 - Vector{step, 0})) / (2 * step),
+                        (area_with(k, p0 + Vector{0, step}) - area_with(k, p0 - Vector{0, step})) / (2 * step)});
     squares += squared_length(gradient.back());
   }
-  const double wanted = old.area();
+  const double wanted = old.area(origin);
   double last = HUGE_VAL;
-  for (int step = 0; step < 60 && squares > 0; ++step) {  // each leaves a small share of the rest, then only rounding
-    const double missing = wanted - spline.area();
+  for (int round = 0; round < 60 && squares > 0;
+       ++round) {  // each leaves a small share of the rest, then only rounding
+    const double missing = wanted - spline.area(origin);
     if (!(std::abs(missing) < last)) break;
     last = std::abs(missing);
     for (std::size_t k = 0; k < near.size(); ++k)
       spline.set_point(near[k], spline.points()[at(near[k])] + (missing / squares) * gradient[k]);
   }
-  Box box;
-  for (const Point& point : old.points()) box.extend(point);
-  if (last > 1e-13 * box.size() * box.size()) return HUGE_VAL;  // too much is missing for small steps
+  if (last > 0.1 * box.tolerance() * box.size()) return HUGE_VAL;  // too much is missing for small steps
   BSpline again = spline;
   const double place = knot < again.first_parameter() ? knot + again.period() : knot;  // the first break is gone
   for (int m = old.multiplicity(knot); m > 0; --m) again.insert_knot(place);
