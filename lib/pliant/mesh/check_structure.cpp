@@ -155,9 +155,8 @@ class Checker {
 
   /// M4: constrained edges are the spans of their curves.
   void check_curves() {
-    Box box;
-    for (const Point& p : data_.points) box.extend(p);
-    const double tolerance = box.tolerance();
+    // By the size of the boundary: a tangled element that reaches far out would hide what is wrong until it is mended.
+    const double tolerance = bounding_box(data_.boundary).tolerance();
     std::vector<std::vector<double>> breaks;
     std::vector<std::vector<char>> covered;
     for (std::size_t c = 0; c < data_.boundary.curves.size(); ++c) {
