@@ -25,7 +25,7 @@ class Elevation {
   std::string run() {
     Box box;
     for (const Point& p : nodes_) box.extend(p);
-    tolerance_ = 1e-12 * box.size();
+    tolerance_ = box.tolerance();
     mesh_.points = std::move(file_.nodes);
     size_t triangles = 0;
     for (const MshTriangles& block : file_.blocks) triangles += block.count;

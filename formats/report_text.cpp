@@ -6,10 +6,13 @@
 #include <cstdarg>
 #include <cstdio>
 
+#include "pliant/geometry/describe.h"
+
 namespace pliant {
 namespace {
 
 constexpr std::size_t columns = 80;
+constexpr double text_resolution = 1e-4;  // of the mesh's size: places
 
 [[gnu::format(printf, 2, 3)]] void print(std::string& out, const char* format, ...) {
   std::array<char, 512> text;
@@ -91,20 +94,20 @@ void print_counts(std::string& out, const QualityReport& report) {
       report.tangent_jump ? number(*report.tangent_jump) : "-", "faults", std::to_string(report.faults.size()));
 }
 
-void print_elements(std::string& out, const std::string& what, std::int64_t count,
-                    const std::vector<BadElement>& shown) {
+void print_elements(std::string& out, const std::string& what, std::int64_t count, const std::vector<BadElement>& shown,
+                    double resolution) {
   if (shown.empty()) return;
   std::string list = what + ", with the places of their centres:";
   for (const BadElement& element : shown)
-    list += " " + std::to_string(element.triangle) + "(" + number(element.centroid.x) + "," +
-            number(element.centroid.y) + ")";
+    list += " " + std::to_string(element.triangle) + "(" + describe_number(element.centroid.x, resolution) + "," +
+            describe_number(element.centroid.y, resolution) + ")";
   if (count > static_cast<std::int64_t>(shown.size())) list += " ...";
   print_wrapped(out, list, 0, 2);
 }
 
 void print_overlaps(std::string& out, const QualityReport& report) {
   for (const OverlapPlace& overlap : report.overlap_places) {
-    std::string text = "overlap at (" + number(overlap.place.x) + ", " + number(overlap.place.y) + "): ";
+    std::string text = "overlap at " + describe_point(overlap.place, text_resolution * report.size) + ": ";
     if (overlap.first == none || overlap.second == none)
       text += overlap.first == none ? "curves cross"
                                     : "triangle " + std::to_string(overlap.first) + " lies on another part of the mesh";
@@ -176,9 +179,10 @@ void print_worst(std::string& out, const std::vector<MetricSummary>& metrics) {
 
 void write_report_text(const QualityReport& report, const std::string& title, std::string& out) {
   print_wrapped(out, title, 0, 2);
+  const double resolution = text_resolution * report.size;
   print_counts(out, report);
-  print_elements(out, "invalid", report.invalid, report.invalid_elements);
-  print_elements(out, "degenerate", report.degenerate, report.degenerate_elements);
+  print_elements(out, "invalid", report.invalid, report.invalid_elements, resolution);
+  print_elements(out, "degenerate", report.degenerate, report.degenerate_elements, resolution);
   for (const Fault& fault : report.faults)
     print_wrapped(out, fault.invariant + " " + fault.place + ": " + fault.text, 0, 2);
   print_overlaps(out, report);

@@ -170,8 +170,12 @@ int main(int argc, char** argv) {
           reaches = left <= dt * (1 + same_time);
           if (reaches) options.dt = left;
         }
-        AdvectOutcome outcome =
-            flow.velocity ? advect(mesh, flow.velocity, options) : advect_by_field(mesh, flow.find(mesh), options);
+        const double unit = mesh.boundary().unit;
+        const VelocityField velocity = [&flow, unit](const Point& place, double time) {
+          return flow.velocity(unit * place, time) / unit;
+        };
+        AdvectOutcome outcome = flow.velocity ? advect(mesh, unit == 1 ? flow.velocity : velocity, options)
+                                              : advect_by_field(mesh, flow.find(mesh), options);
         using Status = AdvectOutcome::Status;
         if (outcome.status != Status::done && outcome.status != Status::limited)
           throw NoResult(explain(outcome, options.dt));

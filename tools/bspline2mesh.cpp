@@ -15,6 +15,7 @@
 #include "pliant/improve/share_bends.h"
 #include "pliant/improve/straighten_edges.h"
 #include "pliant/mesh/check_mesh.h"
+#include "pliant/mesh/document_unit.h"
 #include "progress_line.h"
 
 namespace {
@@ -39,6 +40,7 @@ void resolve_crossings(BoundaryComplex& boundary, PassReport& report) {
       ++kept;
     else
       report.notes.push_back("nothing is left of face '" + boundary.faces[f].name + "'");
+  arrangement.boundary.unit = boundary.unit;
   boundary = std::move(arrangement.boundary);
 }
 
@@ -113,35 +115,44 @@ int main(int argc, char** argv) {
     Stopwatch watch;
     std::string text;
     for_each_boundary(options, [&](BoundaryComplex&& boundary, const Frame& frame) {
-      const double read = watch.lap();
-      line.stage(resolves ? "resolve" : "check");
-      PassReport resolved;
-      if (resolves)
-        resolve_crossings(boundary, resolved);
-      else
-        require_boundary(boundary);
-      const double check = watch.lap();
-      line.stage("generate");
-      Mesh mesh;
-      GenerateOutcome outcome = mesh_from_boundary(boundary, generate, mesh);
-      if (!outcome.ok) throw NoResult(outcome.failure);
-      outcome.report.values.insert(outcome.report.values.begin(), resolved.values.begin(), resolved.values.end());
-      outcome.report.notes.insert(outcome.report.notes.begin(), resolved.notes.begin(), resolved.notes.end());
-      mesh.time = time;
-      const double first = watch.lap();
-      if (no_refine)
-        criteria.apply(mesh.criteria, mesh.boundary());
-      else
-        refine_to(mesh, criteria, options, max_triangles, outcome.report);
-      const double refined = watch.lap();
-      line.stage("write");
-      fields.apply(mesh);
-      if (!find_invalid(mesh).empty()) throw NoResult("elements of the result are not valid");
-      text.clear();
-      write_mesh(mesh.to_data(), text);
-      output.write(text);
-      reports.add(frame, mesh.time, outcome.report,
-                  {{"read", read}, {"check", check}, {"generate", first}, {"refine", refined}, {"write", watch.lap()}});
+      normalize_unit(boundary);
+      const double unit = boundary.unit;
+      in_unit(unit, [&] {
+        const double read = watch.lap();
+        line.stage(resolves ? "resolve" : "check");
+        PassReport resolved;
+        if (resolves)
+          resolve_crossings(boundary, resolved);
+        else
+          require_boundary(boundary);
+        const double check = watch.lap();
+        line.stage("generate");
+        Mesh mesh;
+        GenerateOutcome outcome = mesh_from_boundary(boundary, generate, mesh);
+        if (!outcome.ok) throw NoResult(outcome.failure);
+        for (std::size_t& k : outcome.report.lengths) k += resolved.values.size();
+        outcome.report.values.insert(outcome.report.values.begin(), resolved.values.begin(), resolved.values.end());
+        outcome.report.notes.insert(outcome.report.notes.begin(), resolved.notes.begin(), resolved.notes.end());
+        mesh.time = time;
+        const double first = watch.lap();
+        if (no_refine)
+          criteria.apply(mesh.criteria, mesh.boundary());
+        else
+          refine_to(mesh, criteria, options, max_triangles, outcome.report);
+        const double refined = watch.lap();
+        line.stage("write");
+        fields.apply(mesh);
+        if (!find_invalid(mesh).empty()) throw NoResult("elements of the result are not valid");
+        text.clear();
+        report_in_document(outcome.report, unit);
+        MeshData data = mesh.to_data();
+        restore_unit(data);
+        write_mesh(data, text);
+        output.write(text);
+        reports.add(
+            frame, mesh.time, outcome.report,
+            {{"read", read}, {"check", check}, {"generate", first}, {"refine", refined}, {"write", watch.lap()}});
+      });
       line.stage("read");
     });
     output.commit();

@@ -15,7 +15,7 @@ int main(int argc, char** argv) {
   using namespace pliant;
   CLI::App app{"Remove vertices that neither size nor geometry needs.", "coarsen"};
   CriteriaOptions criteria;
-  CoarsenOptions options;
+  CoarsenOptions options, given;  // for the mesh at hand; lengths as given, in the document's unit
   std::string tolerance, step_tolerance, polygon_tolerance, factor = "1", feature_share;
   criteria.add(app);
   app.add_option("--tolerance", tolerance,
@@ -52,13 +52,17 @@ int main(int argc, char** argv) {
     if (!feature_share.empty()) options.feature_share = parse_positive("--feature-size", feature_share);
     if (!tolerance.empty()) options.tolerance = parse_positive("--tolerance", tolerance);
     if (!step_tolerance.empty()) options.step_tolerance = parse_positive("--step-tolerance", step_tolerance);
+    given = options;
   };
   return run_filter(
       app, argc, argv,
       [&](Mesh& mesh) {
         options.goals = criteria.goals(mesh, compile_size);
-        if (tolerance.empty()) options.tolerance = default_tolerance * mesh.size();
-        if (step_tolerance.empty()) options.step_tolerance = default_share * options.tolerance;
+        const double unit = mesh.boundary().unit;
+        options.tolerance = tolerance.empty() ? default_tolerance * mesh.size() : given.tolerance / unit;
+        options.step_tolerance =
+            step_tolerance.empty() ? default_share * options.tolerance : given.step_tolerance / unit;
+        options.polygon_tolerance = given.polygon_tolerance / unit;
         return coarsen(mesh, options);
       },
       filter);

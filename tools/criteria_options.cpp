@@ -19,11 +19,12 @@ namespace {
 void require_lengths(const Mesh& mesh, const SizeFunction& size) {
   for (PointId v = 0; v < mesh.point_slots(); ++v) {
     if (!mesh.is_vertex(v)) continue;
-    const double wanted = size(mesh.point(v), mesh.time);
+    const Point place = mesh.boundary().unit * mesh.point(v);  // in the document
+    const double wanted = size(place, mesh.time);
     if (!(wanted > 0))
       throw std::invalid_argument("the wanted length is " +
                                   (std::isnan(wanted) ? "no number" : describe_number(wanted)) + " at " +
-                                  describe_point(mesh.point(v)) + "; it should be above zero");
+                                  describe_point(place) + "; it should be above zero");
   }
 }
 
@@ -68,7 +69,7 @@ void warn_of_thin_gaps(const ToolOptions& options, const Mesh& mesh, const Quali
   const ThinGaps gaps = find_thin_gaps(mesh, goals);
   if (gaps.triangles < many) return;
   say(options, "filling thin gaps takes some " + describe_number(std::round(gaps.triangles / 1000) * 1000) +
-                   " triangles, most of them near " + describe_point(gaps.thinnest) +
+                   " triangles, most of them near " + describe_point(mesh.boundary().unit * gaps.thinnest) +
                    "; --thin keep leaves such gaps in few long ones");
 }
 

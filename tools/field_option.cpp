@@ -76,12 +76,13 @@ void FieldOption::apply(Mesh& mesh) const {
         throw UsageError("--field " + request.name + "@" + request.face + ": the field has " + std::to_string(kept) +
                          " components on the other faces, not " + std::to_string(components));
     }
-    const double time = mesh.time;
+    const double time = mesh.time, unit = mesh.boundary().unit;
     std::string why;
     Field field = make_field(
         mesh, request.name, components, face,
         [&](const Point& place, std::span<double> value) {
-          for (std::size_t c = 0; c < value.size(); ++c) value[c] = request.components[c](place.x, place.y, time);
+          for (std::size_t c = 0; c < value.size(); ++c)
+            value[c] = request.components[c](unit * place.x, unit * place.y, time);
         },
         why);
     if (!why.empty()) throw NoResult(why);

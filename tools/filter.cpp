@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <cerrno>
+#include <cmath>
 #include <csignal>
 #include <cstdlib>
 #include <new>
@@ -13,7 +14,9 @@
 #include "formats/mesh_json.h"
 #include "formats/msh.h"
 #include "formats/read_json.h"
+#include "pliant/geometry/describe.h"
 #include "pliant/mesh/check_mesh.h"
+#include "pliant/mesh/document_unit.h"
 #include "progress_line.h"
 
 namespace pliant {
@@ -206,10 +209,17 @@ void say_written(const ToolOptions& options, std::size_t meshes, std::size_t tri
 }
 
 void for_each_mesh(const ToolOptions& options, const std::function<void(MeshData&&, const Frame&)>& use) {
-  const auto use_document = [&](std::string_view text, const Frame& frame) { use(read_mesh(text), frame); };
+  const auto use_document = [&](std::string_view text, const Frame& frame) {
+    MeshData data = read_mesh(text);
+    require_document_size(data);
+    use(std::move(data), frame);
+  };
   if (!options.takes_msh) return for_each_document(options, use_document);
   for_each_document(options, use_document, [&](std::string_view bytes, const Frame& frame) {
-    use_msh(options, {}, bytes, frame, [&](MshImport&& import, const Frame&) { use(std::move(import.mesh), frame); });
+    use_msh(options, {}, bytes, frame, [&](MshImport&& import, const Frame&) {
+      require_document_size(import.mesh);
+      use(std::move(import.mesh), frame);
+    });
   });
 }
 
@@ -222,6 +232,27 @@ void for_msh(const ToolOptions& options, const MshOptions& msh,
 
 void for_each_boundary(const ToolOptions& options, const std::function<void(BoundaryComplex&&, const Frame&)>& use) {
   for_each_document(options, [&](std::string_view text, const Frame& frame) { use(read_boundary(text), frame); });
+}
+
+std::string explain_unit(double unit) {
+  if (unit == 1) return {};
+  return "places and lengths are given in units of 2^" + std::to_string(std::ilogb(unit));
+}
+
+void in_unit(double unit, const std::function<void()>& work) {
+  if (unit == 1) return work();
+  const std::string tail = " (" + explain_unit(unit) + ")";
+  try {
+    work();
+  } catch (const BadMesh& e) {
+    std::vector<Fault> faults = e.faults();
+    for (Fault& fault : faults) fault.text += tail;
+    throw BadMesh(std::move(faults));
+  } catch (const InputError& e) {
+    throw InputError(e.pointer(), e.what() + tail);
+  } catch (const NoResult& e) {
+    throw NoResult(e.what() + tail);
+  }
 }
 
 void require_mesh(const MeshData& data, bool accepts_tangled) {
@@ -241,6 +272,11 @@ void require_mesh(const MeshData& data, bool accepts_tangled) {
                       list_elements(bad) + "); smoothcurves may untangle them"}});
 }
 
+void report_in_document(PassReport& report, double unit) {
+  restore_unit(report, unit);
+  if (unit != 1 && !report.notes.empty()) report.notes.push_back("in these notes " + explain_unit(unit));
+}
+
 int run_filter(CLI::App& app, int argc, char** argv, const std::function<PassReport(Mesh&)>& pass,
                const FilterOptions& filter) {
   ToolOptions options;
@@ -256,9 +292,11 @@ int run_filter(CLI::App& app, int argc, char** argv, const std::function<PassRep
       watch.lap();
       line.stage("read");
       MeshData data = read_mesh(document);
+      normalize_unit(data);
+      const double unit = data.boundary.unit;
       std::vector<std::pair<std::string, double>> seconds{{"read", watch.lap()}};
       line.stage("check");
-      require_mesh(data, filter.accepts_tangled);
+      in_unit(unit, [&] { require_mesh(data, filter.accepts_tangled); });
       double checking = watch.lap(), measuring = 0;
       std::optional<QualityChange> quality;
       if (reports.is_wanted()) {
@@ -268,19 +306,28 @@ int run_filter(CLI::App& app, int argc, char** argv, const std::function<PassRep
       Mesh mesh(std::move(data));
       seconds.emplace_back("check", checking + watch.lap());
       line.stage("work");
-      const PassReport report = pass(mesh);
+      PassReport report;
+      in_unit(unit, [&] { report = pass(mesh); });
+      report.resolution = place_resolution * mesh.size();
+      report_in_document(report, unit);
       seconds.emplace_back("pass", watch.lap());
       line.stage("write");
       text.clear();
       data = mesh.to_data();
-      write_mesh(data, text);
-      output.write(text);
-      seconds.emplace_back("write", watch.lap());
-      if (quality) {
+      const double unpacking = watch.lap();
+      if (quality) {  // before the mesh may have its extreme size again
         line.stage("measure");
         quality->after = summarize_quality(data);
-        seconds.emplace_back("quality", measuring + watch.lap());
+        for (QualitySummary* summary : {&quality->before, &quality->after})
+          for (ComponentSize& size : summary->fields) size.l2 *= unit;  // the root of an integral over the area
+        measuring += watch.lap();
+        line.stage("write");
       }
+      restore_unit(data);
+      write_mesh(data, text);
+      output.write(text);
+      seconds.emplace_back("write", unpacking + watch.lap());
+      if (quality) seconds.emplace_back("quality", measuring);
       reports.add(frame, mesh.time, report, seconds, quality ? &*quality : nullptr);
     });
     output.commit();

@@ -94,6 +94,15 @@ void for_each_boundary(const ToolOptions& options, const std::function<void(Boun
 void for_msh(const ToolOptions& options, const MshOptions& msh,
              const std::function<void(MshImport&&, const Frame&)>& use);
 
+/// Runs `work` on a document whose lengths are in `unit` (normalize_unit). Where that is not 1, what it throws says so:
+/// places and lengths in its text are those of the normalised document.
+void in_unit(double unit, const std::function<void()>& work);
+/// Brings what a pass reports back into the units of the document; of notes, which are texts, it says that they are
+/// not.
+void report_in_document(PassReport& report, double unit);
+/// That sentence; empty for 1.
+std::string explain_unit(double unit);
+
 /// Throws BadMesh for the structural faults of the mesh and, unless it `accepts_tangled`, for its invalid elements.
 void require_mesh(const MeshData& data, bool accepts_tangled);
 

@@ -7,6 +7,7 @@
 
 #include "filter.h"
 #include "formats/write_json.h"
+#include "pliant/geometry/describe.h"
 #include "progress_line.h"
 
 namespace pliant {
@@ -62,8 +63,7 @@ std::string some_places(const PassReport& report, const std::string& reason, lon
   for (const RefusedAt& refused : report.refused_at) {
     if (refused.reason != reason || count == most) continue;
     ++count;
-    text += (count > 1 ? ", (" : ", at (") + text_of("%.6g", refused.place.x) + ", " +
-            text_of("%.6g", refused.place.y) + ")";
+    text += (count > 1 ? ", " : ", at ") + describe_point(refused.place, report.resolution);
   }
   return text + (count > 0 && times > count ? ", ..." : "");
 }

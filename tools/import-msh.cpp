@@ -6,6 +6,7 @@
 #include "formats/mesh_json.h"
 #include "formats/msh.h"  // tools/import-msh.cpp
 #include "pliant/mesh/check_mesh.h"
+#include "pliant/mesh/document_unit.h"
 
 namespace {
 
@@ -55,15 +56,19 @@ int main(int argc, char** argv) {
     FrameReports reports(options);
     Stopwatch watch;
     for_msh(options, msh, [&](MshImport&& import, const Frame& frame) {
+      normalize_unit(import.mesh);
+      const double unit = import.mesh.boundary.unit;
       const double read = watch.lap();
-      require_structure(import);
+      in_unit(unit, [&] { require_structure(import); });
       const double check = watch.lap();
       const PassReport report = summarize(import);
       Mesh mesh(std::move(import.mesh));
       mesh.time = time;
-      fields.apply(mesh);
+      in_unit(unit, [&] { fields.apply(mesh); });
       std::string text;
-      write_mesh(mesh.to_data(), text);
+      MeshData data = mesh.to_data();
+      restore_unit(data);
+      write_mesh(data, text);
       output.write(text);
       reports.add(frame, mesh.time, report, {{"read", read}, {"check", check}, {"write", watch.lap()}});
     });

@@ -1,5 +1,6 @@
 // tools/qualityreport.cpp: measures meshes and writes what it found, for eyes, scripts and makefiles
 #include <CLI/CLI.hpp>
+#include <array>
 #include <charconv>
 #include <limits>
 #include <stdexcept>
@@ -9,6 +10,8 @@
 #include "formats/report_html.h"
 #include "formats/report_json.h"
 #include "formats/report_text.h"
+#include "pliant/geometry/describe.h"
+#include "pliant/mesh/document_unit.h"
 #include "pliant/quality/condition.h"
 #include "pliant/quality/quality_report.h"
 
@@ -138,9 +141,8 @@ bool complain(const ToolOptions& options, const Frame& frame, const std::vector<
   for (const Condition& condition : conditions) {
     if (!condition.holds(report)) continue;
     any = true;
-    char value[32];
-    std::snprintf(value, sizeof value, "%.6g", *condition.value(report));
-    say(options, place_of(frame) + ": " + condition.text() + ": it is " + value);
+    const std::array values{*condition.value(report), condition.bound()};
+    say(options, place_of(frame) + ": " + condition.text() + ": it is " + describe_apart(values).front());
   }
   return any;
 }
@@ -159,16 +161,22 @@ int main(int argc, char** argv) {
     OutputFile output(options.output);
     ReportWriter writer(own, output);
     bool has_failed = false;
-    const auto report_on = [&](const MeshData& mesh, const Frame& frame) {
+    const auto report_on = [&](MeshData&& mesh, const Frame& frame) {
       Stopwatch watch;
       QualityReport report;
       ElementFigures elements;
+      normalize_unit(mesh);
+      const double unit = mesh.boundary.unit;
       try {
         report = report_quality(mesh, own.quality, writer.wants_elements() ? &elements : nullptr);
       } catch (const std::invalid_argument& error) {
         throw UsageError(std::string("--face: ") + error.what());
       }
       if (options.verbose) say(options, place_of(frame) + ": measured in " + std::to_string(watch.lap()) + " s");
+      restore_unit(report, elements, unit);
+      restore_unit(mesh);
+      if (unit != 1)
+        for (Fault& fault : report.faults) fault.text += " (" + explain_unit(unit) + ")";
       writer.write(mesh, report, elements, frame);
       has_failed = complain(options, frame, own.conditions, report) || has_failed;
     };

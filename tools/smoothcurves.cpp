@@ -1,12 +1,12 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <cstdio>
 #include <numbers>
 #include <string>
 
 #include "criteria_options.h"
 #include "filter.h"
 #include "global_smoothing.h"
+#include "pliant/geometry/describe.h"
 #include "pliant/improve/smooth_curves.h"  // tools/smoothcurves.cpp
 #include "progress_line.h"
 #include "refit_option.h"
@@ -16,16 +16,15 @@ namespace {
 using namespace pliant;
 
 /// The first of the elements that stay invalid, a line each: which, where, and why.
-std::string list_invalid(const SmoothOutcome& outcome, const SmoothMeans& means) {
+std::string list_invalid(const SmoothOutcome& outcome, const SmoothMeans& means, double resolution) {
   constexpr std::size_t most = 20;
   std::string text;
   std::size_t count = 0;
   for (const UnmendedElement& left : outcome.unmended) {
     if (!std::binary_search(outcome.invalid.begin(), outcome.invalid.end(), left.element)) continue;
     if (++count > most) continue;
-    char line[96];
-    std::snprintf(line, sizeof line, "\n  element %d at (%.6g, %.6g): ", left.element, left.place.x, left.place.y);
-    text += line + describe(left.reason, means);
+    text += "\n  element " + std::to_string(left.element) + " at " + describe_point(left.place, resolution) + ": " +
+            describe(left.reason, means);
   }
   return count > most ? text + "\n  and " + std::to_string(count - most) + " more" : text;
 }
@@ -91,9 +90,10 @@ int main(int argc, char** argv) {
       [&](Mesh& mesh) {
         const SmoothOutcome outcome = smooth(mesh);
         if (!outcome.invalid.empty() && !keep_going)
-          throw NoResult(std::to_string(outcome.invalid.size()) +
-                         " elements stay invalid; --keep-going writes the mesh all the same" +
-                         list_invalid(outcome, {options.vertices, options.flips, options.split}));
+          throw NoResult(
+              std::to_string(outcome.invalid.size()) +
+              " elements stay invalid; --keep-going writes the mesh all the same" +
+              list_invalid(outcome, {options.vertices, options.flips, options.split}, place_resolution * mesh.size()));
         return outcome.report;
       },
       filter);

@@ -137,3 +137,20 @@ TEST_CASE("random curves meet if and only if their fine polygons do", "[boundary
   if (crosses) CHECK(meets(a, b));
   if (!crosses && nearest > 0.02) CHECK_FALSE(meets(a, b));
 }
+
+TEST_CASE("curves whose differences overflow end in an answer", "[boundary]") {
+  const double huge = 1.7e308;
+  const std::vector<Curve> curves{{{0, 0}, {huge, 0}},
+                                  {{huge, 0}, {0, 1}},
+                                  {{-huge, 0}, {huge, huge}},
+                                  {{-huge, -huge}, {huge, huge}, {-huge, huge}, {huge, -huge}},
+                                  {{0x1p-1074, 0}, {0, 0x1p-1074}, {0, 0}}};
+  for (const Curve& a : curves)
+    for (const Curve& b : curves) {
+      (void)contact(a, b);
+      (void)contact(a, b, 0, 1, 0, 3);  // from a common end
+      (void)contact(a, b, 0, 1, 1, 0);
+      (void)meets_itself(a);
+    }
+  SUCCEED("no search without an end");
+}

@@ -273,3 +273,17 @@ TEST_CASE("the arrays of a mesh whose curve has very many spans are looked at on
   data.constrained_edges.back().span = spans;
   CHECK(check_arrays(data).size() == 1);
 }
+
+TEST_CASE("a control point far outside does not hide that an edge is off its curve", "[mesh]") {
+  MeshData data = samples::disk(2);
+  const PointId on_curve = data.constrained_edges[0].points[1];
+  data.points[static_cast<std::size_t>(on_curve)].x += 1e-9;
+  std::vector<char> is_on_curve(data.points.size(), 0);
+  for (const ConstrainedEdge& edge : data.constrained_edges)
+    for (const PointId p : edge.points) is_on_curve[static_cast<std::size_t>(p)] = 1;
+  const auto inner = std::find(is_on_curve.begin(), is_on_curve.end(), 0) - is_on_curve.begin();
+  data.points[static_cast<std::size_t>(inner)] = {1e12, 0};
+  const std::vector<Fault> faults = check_structure(data);
+  REQUIRE(faults.size() == 1);
+  CHECK(faults[0].invariant == "M4");
+}

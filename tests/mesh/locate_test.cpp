@@ -459,3 +459,34 @@ TEST_CASE("free slots are no elements, and no hints", "[mesh]") {
     check_location(mesh, p, Locator(mesh).find(p));
   }
 }
+
+TEST_CASE("points on and beside inner edges are found 1e9 widths from the origin, too", "[mesh][locate]") {
+  const int degree = GENERATE(1, 2, 3, 5);
+  CAPTURE(degree);
+  const Mesh mesh(samples::disk(degree, 8, {2e9, -1e9}));
+  Locator locator(mesh);
+  for (TriangleId t = 0; t < mesh.triangle_slots(); ++t)
+    for (int e = 0; e < 3; ++e) {
+      if (mesh.twin(half_edge(t, e)) == none) continue;
+      for (int k = 0; k <= 20; ++k) {
+        Barycentric xi{};
+        xi[at(e)] = 0.05 + 0.045 * k;
+        xi[at((e + 1) % 3)] = 1 - xi[at(e)];
+        const Point p = image(mesh, t, xi);
+        const auto found = locator.find(p, t);
+        REQUIRE(found);
+        CHECK(distance(image(mesh, found->triangle, found->xi), p) <= mesh.tolerance());
+      }
+    }
+}
+
+TEST_CASE("a mesh far from the origin has no faults, moved by more than its rounding it has", "[mesh][check]") {
+  const int degree = GENERATE(1, 2, 3, 4, 5);
+  const double offset = GENERATE(1e3, 1e6, 2e9);
+  CAPTURE(degree, offset);
+  MeshData data = samples::disk(degree, 8, {offset, offset / 3});
+  CHECK(check_structure(data).empty());
+  const double unit = offset * 0x1p-52;
+  data.points[at(data.constrained_edges[0].points[0])].x += 64 * unit;
+  if (64 * unit > 1e-11) CHECK_FALSE(check_structure(data).empty());
+}

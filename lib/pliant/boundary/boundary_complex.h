@@ -41,6 +41,8 @@ struct BoundaryComplex {
   std::vector<Face> faces;
   std::vector<Curve> curves;
   std::vector<int> cusps;  ///< vertices where two curves leave with tangent angle 0
+  /// Times the lengths here, the document's: a power of two, 1 but for documents of extreme size (normalize_unit).
+  double unit = 1;
   ExtraMembers extra;
 };
 

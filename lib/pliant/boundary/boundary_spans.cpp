@@ -1,10 +1,5 @@
 #include "pliant/boundary/boundary_spans.h"
 
-#include <array>
-#include <charconv>
-#include <cmath>
-#include <cstdio>
-
 namespace pliant {
 
 BoundarySpans::BoundarySpans(const BoundaryComplex& boundary) : nodes_(boundary.vertices) {
@@ -42,28 +37,6 @@ std::string describe_curve(const BoundaryComplex& boundary, int curve) {
   const std::string& name = boundary.curves[static_cast<std::size_t>(curve)].name;
   const std::string number = std::to_string(curve);
   return name.empty() ? "curve " + number : "curve '" + name + "' (" + number + ")";
-}
-
-std::string describe_number(double value) {
-  std::array<char, 32> text;
-  const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
-  return std::string(text.data(), end);
-}
-
-std::string describe_point(const Point& p) { return "(" + describe_number(p.x) + ", " + describe_number(p.y) + ")"; }
-
-std::string describe_number(double value, double resolution) {
-  if (!(std::fabs(value) >= resolution)) return "0";
-  // The digit that stands for the resolution is the last.
-  const double digits = std::floor(std::log10(std::fabs(value))) - std::floor(std::log10(resolution)) + 1;
-  if (!(digits < 17)) return describe_number(value);
-  std::array<char, 40> text;
-  std::snprintf(text.data(), text.size(), "%.*g", static_cast<int>(digits), value);
-  return text.data();
-}
-
-std::string describe_point(const Point& p, double resolution) {
-  return "(" + describe_number(p.x, resolution) + ", " + describe_number(p.y, resolution) + ")";
 }
 
 std::string describe_node(const BoundaryComplex& boundary, const BoundarySpans& spans, int node) {

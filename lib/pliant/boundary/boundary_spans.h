@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "pliant/boundary/boundary_complex.h"
+#include "pliant/geometry/describe.h"
 
 namespace pliant {
 
@@ -41,12 +42,6 @@ class BoundarySpans {
 
 /// "curve 'wall' (2)": the name, or only the number where it has none.
 std::string describe_curve(const BoundaryComplex& boundary, int curve);
-/// "(0.25, 1)", in the shortest form that reads back.
-std::string describe_point(const Point& p);
-std::string describe_number(double value);
-/// The same of values that are known to a resolution: no digits beyond it.
-std::string describe_point(const Point& p, double resolution);
-std::string describe_number(double value, double resolution);
 /// What the point of a node is: "vertex 3 (0, 1)", or "curve 'wall' (2) at parameter 0.5, (0.25, 1)".
 std::string describe_node(const BoundaryComplex& boundary, const BoundarySpans& spans, int node);
 

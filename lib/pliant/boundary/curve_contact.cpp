@@ -15,6 +15,7 @@ constexpr double least_piece = 1e-11;    // of the pair's size: smaller pieces t
 constexpr double least_corner = 1e-9;    // of the shorter one: a common end is not looked at any closer
 constexpr double blurred_corner = 1e-7;  // and so near to it what is within the margin may be that of a tangent
 constexpr int deepest_self = 40;         // halvings towards a place where a curve stops
+constexpr int deepest_pair = 160;        // halvings of either curve: more than doubles tell apart, if they are finite
 constexpr long most_tests = 2'000'000;   // of one pair; curves that need more are as good as in contact
 
 /// A part of one of the two curves.
@@ -132,7 +133,7 @@ class Search {
     shift(a, origin);
     shift(b, origin);
     const double whole_extent = std::min(extent(a), extent(b));
-    for (;;) {
+    for (int depth = 0; depth < deepest_pair; ++depth) {
       if (cones_apart(a.polygon(), b.polygon(), least_margin)) return std::nullopt;
       const double extent_a = extent(a), extent_b = extent(b), near = std::max(extent_a, extent_b);
       if (near < least_corner * whole_extent) break;
@@ -158,18 +159,19 @@ class Search {
   std::optional<Contact> apart(Piece a, Piece b) {
     const double size = std::max(reach(a), reach(b));
     tests_ = 0;
-    return apart(a, b, size);
+    return apart(a, b, size, 0);
   }
 
-  std::optional<Contact> apart(const Piece& a, const Piece& b, double size) {
+  std::optional<Contact> apart(const Piece& a, const Piece& b, double size, int depth) {
     if (hulls_apart(a.polygon(), b.polygon(), least_margin * size)) return std::nullopt;
     const double extent_a = extent(a), extent_b = extent(b);
-    if ((extent_a <= least_piece * size && extent_b <= least_piece * size) || ++tests_ > most_tests)
+    if ((extent_a <= least_piece * size && extent_b <= least_piece * size) || ++tests_ > most_tests ||
+        depth == deepest_pair)
       return Contact{Contact::Kind::meets, a.middle(), b.middle(), a.at(0)};
     const bool split_a = extent_a >= extent_b;
     const auto [one, two] = halves(split_a ? a : b);
-    if (auto found = split_a ? apart(one, b, size) : apart(a, one, size)) return found;
-    return split_a ? apart(two, b, size) : apart(a, two, size);
+    if (auto found = split_a ? apart(one, b, size, depth + 1) : apart(a, one, size, depth + 1)) return found;
+    return split_a ? apart(two, b, size, depth + 1) : apart(a, two, size, depth + 1);
   }
 
   int next_node_;

@@ -10,13 +10,14 @@ bool separates(const Vector& normal, std::span<const Point> a, std::span<const P
   const double scale = length(normal);
   if (!(scale > 0)) return false;
   double low_a = HUGE_VAL, high_a = -HUGE_VAL, low_b = HUGE_VAL, high_b = -HUGE_VAL;
+  const Point origin = a.front();  // far from the real one products of coordinates would round the difference away
   for (const Point& p : a) {
-    const double s = dot(normal, p);
+    const double s = dot(normal, p - origin);
     low_a = std::min(low_a, s);
     high_a = std::max(high_a, s);
   }
   for (const Point& p : b) {
-    const double s = dot(normal, p);
+    const double s = dot(normal, p - origin);
     low_b = std::min(low_b, s);
     high_b = std::max(high_b, s);
   }

@@ -9,6 +9,7 @@
 #include "pliant/flow/interpolate_nodes.h"
 #include "pliant/flow/move_elements.h"
 #include "pliant/flow/runge_kutta.h"
+#include "pliant/geometry/describe.h"
 #include "pliant/geometry/swept_validity.h"
 #include "pliant/geometry/validity.h"
 
@@ -82,8 +83,8 @@ std::string blocking_note(const Mesh& mesh, const Certificate& certificate, doub
       3;
   std::ostringstream text;
   text.precision(6);
-  text << "element " << certificate.blocking << " at (" << middle.x << ", " << middle.y
-       << ") is proved valid only up to " << certificate.fraction << " of a step of " << dt;
+  text << "element " << certificate.blocking << " at " << describe_point(middle, place_resolution * mesh.size())
+       << " is proved valid only up to " << certificate.fraction << " of a step of " << dt;
   return text.str();
 }
 
@@ -144,9 +145,9 @@ AdvectOutcome step(Mesh& mesh, const MakeTrial& make_trial, const AdvectOptions&
       outcome.report.add("time", mesh.time);
       outcome.report.add("safe_fraction", outcome.fraction);
       outcome.report.add("attempts", attempt);
-      outcome.report.add("max_displacement", displacement);
+      outcome.report.add_length("max_displacement", displacement);
       outcome.report.add("invalid", safe ? 0.0 : static_cast<double>(count_invalid(mesh)));
-      if (options.keep_area) outcome.report.add("area_offset", offset);
+      if (options.keep_area) outcome.report.add_length("area_offset", offset);
       mesh.compact();
       return outcome;
     }

@@ -32,7 +32,8 @@ CarriedVelocity::CarriedVelocity(const Mesh& mesh, int field)
 
 Vector CarriedVelocity::at_point(PointId p) const {
   const std::size_t i = 2 * static_cast<std::size_t>(p);
-  return {field_.values[i], field_.values[i + 1]};
+  const double unit = mesh_.boundary().unit;
+  return {field_.values[i] / unit, field_.values[i + 1] / unit};
 }
 
 Vector CarriedVelocity::at_vertex(int v) const {

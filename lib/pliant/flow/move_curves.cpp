@@ -22,12 +22,17 @@ void add(BSpline& spline, const BSpline& vectors, double factor) {
 /// Control points move linearly with the offset, so the area is a quadratic polynomial of it; Newton's steps take the
 /// derivative by polarization and end at rounding.
 double restore_area(BSpline& spline, double area) {
+  Box box;
+  for (const Point& p : spline.points()) box.extend(p);
+  if (!(box.size() > 0)) return 0;
+  // Offsets are counted in a unit of the curve's size, so that the scale of the mesh does not matter.
+  const double unit = std::ldexp(1.0, std::ilogb(box.size()));
   std::vector<Vector> normals;
   for (const double g : spline.greville()) {
     const Vector along = spline.derivative(g);
     const double speed = length(along);
     if (!(speed > 0)) return 0;
-    normals.push_back(-(1 / speed) * perpendicular(along));
+    normals.push_back(-(unit / speed) * perpendicular(along));
   }
   BSpline direction;
   if (!interpolate_vectors(spline, normals, direction)) return 0;
@@ -51,7 +56,7 @@ double restore_area(BSpline& spline, double area) {
     miss = next_miss;
     spline = std::move(trial);
   }
-  return offset;
+  return offset * unit;
 }
 
 }  // namespace

@@ -123,8 +123,9 @@ class Round {
   /// The one further from its chord: splitting a straight one would not help. Two straight ones are apart as they are.
   void split_thicker(std::size_t i, std::size_t j) {
     const double height_i = hull_height(spans_.polygon(i)), height_j = hull_height(spans_.polygon(j));
-    const auto extent = [this](std::size_t k) { return spans_.box(k).size(); };
-    if (std::max(height_i, height_j) <= 1e-15 * (extent(i) + extent(j))) return;
+    const Box box_i = spans_.box(i), box_j = spans_.box(j);
+    const double rounding = 1e-15 * (box_i.size() + box_j.size()) + 0x1p-51 * std::max(box_i.reach(), box_j.reach());
+    if (std::max(height_i, height_j) <= rounding) return;
     const auto [thicker, rival] = height_i >= height_j ? std::pair(i, j) : std::pair(j, i);
     wish(thicker, wedges_.middle_of(thicker), rival);
   }
@@ -165,7 +166,10 @@ bool is_narrow(const Vector& a, const Vector& b) { return is_angle_below(sharp, 
 
 bool is_cusp(const Vector& a, const Vector& b) { return is_angle_below(1e-9, a, b); }
 
-double least_span(const BoundaryComplex& boundary) { return least_length * bounding_box(boundary).size(); }
+double least_span(const BoundaryComplex& boundary) {
+  const Box box = bounding_box(boundary);
+  return std::max(least_length * box.size(), 0x1p-46 * box.reach());  // far from the origin doubles can tell less apart
+}
 
 bool split_span(BoundaryComplex& boundary, const BoundarySpan& span, double least, double s) {
   const double t = span.t0 + s * (span.t1 - span.t0);

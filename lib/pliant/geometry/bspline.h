@@ -107,7 +107,8 @@ class BSpline {
   double swept_area(double t0, const Point& origin) const;
   /// Signed area swept: half the integral of x dy - y dx, exact to rounding (for closed curves the enclosed area).
   double area() const;
-  double arc_length() const;  ///< to 1e-12 relative on tame curves, by Gauss rules on halved spans
+  double area(const Point& origin) const;  ///< swept as seen from there
+  double arc_length() const;               ///< to 1e-12 relative on tame curves, by Gauss rules on halved spans
 
  private:
   void insert_point(int i, Edits* edits);

@@ -52,7 +52,10 @@ double BSpline::swept_area(double t0, const Point& origin) const {
 
 double BSpline::area() const {
   // A closed curve's area does not depend on the origin: one nearby loses fewer digits.
-  const Point origin = closed_ ? points_.front() : Point{};
+  return area(closed_ ? points_.front() : Point{});
+}
+
+double BSpline::area(const Point& origin) const {
   const std::vector<double> all = breaks();
   double sum = 0;
   for (std::size_t s = 0; s + 1 < all.size(); ++s) sum += swept_area(all[s], origin);

@@ -13,14 +13,15 @@
 namespace pliant {
 namespace {
 
-/// The element as rows of two doubles.
+/// The element as rows of two doubles, relative to an origin: near the point looked for nothing is lost to the rounding
+/// of coordinates, wherever the element lies.
 class Map {
  public:
-  Map(int degree, std::span<const Point> net) : degree_(degree) {
+  Map(int degree, std::span<const Point> net, const Point& origin = {}) : degree_(degree) {
     assert(1 <= degree && degree <= max_degree && net.size() >= static_cast<std::size_t>(net_size(degree)));
     for (std::size_t n = 0; n < static_cast<std::size_t>(net_size(degree)); ++n) {
-      rows_[2 * n] = net[n].x;
-      rows_[2 * n + 1] = net[n].y;
+      rows_[2 * n] = net[n].x - origin.x;
+      rows_[2 * n + 1] = net[n].y - origin.y;
     }
   }
 
@@ -236,7 +237,7 @@ ElementSearch search_pieces(const Map& map, std::span<const Point> net, double t
 
 std::optional<Barycentric> invert_map(int degree, std::span<const Point> net, const Point& p, double tolerance,
                                       const Barycentric* start, double reach) {
-  return newton(Map(degree, net), p, tolerance, start ? *start : straight_coordinates(net, p), reach);
+  return newton(Map(degree, net, p), {}, tolerance, start ? *start : straight_coordinates(net, p), reach);
 }
 
 ElementSearch find_in_element(int degree, std::span<const Point> net, const Point& p, double tolerance) {

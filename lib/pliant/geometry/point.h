@@ -49,6 +49,14 @@ struct Box {
   }
   /// The diagonal; 0 for an empty box. Of all control points it is the *size* of a mesh.
   double size() const { return low.x <= high.x ? distance(low, high) : 0; }
+  /// The largest |coordinate|, which decides what a unit in the last place is; 0 for an empty box.
+  double reach() const {
+    if (!(low.x <= high.x)) return 0;
+    return std::fmax(std::fmax(-low.x, high.x), std::fmax(-low.y, high.y));
+  }
+  /// What two ways to compute one place in the box may differ by: 1e-12 of its size, or 16 units in the last place of
+  /// its largest coordinate where it lies far from the origin.
+  double tolerance() const { return std::fmax(1e-12 * size(), 0x1p-48 * reach()); }
 };
 
 }  // namespace pliant

@@ -276,10 +276,10 @@ class Coarsener {
     report.add("removals", static_cast<double>(inner_removals_ + curve_removals_));
     report.add("interior_removals", static_cast<double>(inner_removals_));
     report.add("curve_removals", static_cast<double>(curve_removals_));
-    report.add("largest_error", largest_error_);
+    report.add_length("largest_error", largest_error_);
     double accumulated = 0;
     for (const Curve& curve : mesh_.boundary().curves) accumulated = std::max(accumulated, curve.removal_error);
-    report.add("accumulated_error", accumulated);
+    report.add_length("accumulated_error", accumulated);
     report.add("integral_change", integral_change_);
     report.add("triangles", mesh_.triangle_count());
     for (const auto& [v, reason] : refused_) report.refuse(reason, mesh_.point(v));

@@ -47,7 +47,7 @@ class Round {
  public:
   Round(Mesh& mesh, const RefineOptions& options, Tally& tally)
       : mesh_(mesh), options_(options), tally_(tally), locator_(mesh), corners_(mesh), search_(mesh) {
-    floor_ = std::max(options.goals.min_size, default_floor * mesh.size());
+    floor_ = std::max({options.goals.min_size, default_floor * mesh.size(), 4 * mesh.tolerance()});
     most_ratio_ = 1 / (2 * std::sin(options.goals.min_angle * std::numbers::pi / 180));
   }
 

@@ -47,24 +47,30 @@ double QualityGoals::length_by_field(const Mesh& mesh, TriangleId t, int corner)
   if (size_field == none) return HUGE_VAL;
   const std::ptrdiff_t index = mesh.value_index(size_field, mesh.corner(t, corner), mesh.face(t));
   const double wanted = mesh.fields()[static_cast<std::size_t>(size_field)].values[static_cast<std::size_t>(index)];
-  return wanted > 0 ? wanted : HUGE_VAL;
+  return wanted > 0 ? wanted / mesh.boundary().unit : HUGE_VAL;
 }
 
 QualityGoals goals_of(const Mesh& mesh, SizeFunction size) {
   const Criteria& criteria = mesh.criteria;
+  const double unit = mesh.boundary().unit;
+  const auto area_here = [unit](double area) { return area / unit / unit; };
+  if (size && unit != 1)
+    size = [unit, in_document = std::move(size)](const Point& p, double time) {
+      return in_document(unit * p, time) / unit;
+    };
   QualityGoals goals;
   if (criteria.min_angle) goals.min_angle = *criteria.min_angle;
-  if (criteria.max_area) goals.max_area = *criteria.max_area;
+  if (criteria.max_area) goals.max_area = area_here(*criteria.max_area);
   goals.face_area.assign(mesh.boundary().faces.size(), HUGE_VAL);
   for (const auto& [name, area] : criteria.face_area) {
     const FaceId f = find_face(mesh.boundary(), name);
-    if (f != outside) goals.face_area[static_cast<std::size_t>(f)] = area;
+    if (f != outside) goals.face_area[static_cast<std::size_t>(f)] = area_here(area);
   }
   goals.size = std::move(size);
   if (criteria.size_field) goals.size_field = find_size_field(mesh, *criteria.size_field);
   if (criteria.max_turning) goals.max_turning = *criteria.max_turning * std::numbers::pi / 180;
   goals.keeps_thin = criteria.keeps_thin.value_or(goals.keeps_thin);
-  if (criteria.min_size) goals.min_size = *criteria.min_size;
+  if (criteria.min_size) goals.min_size = *criteria.min_size / unit;
   return goals;
 }
 

@@ -30,7 +30,8 @@ struct QualityGoals {
   /// What `size_field` asks for at a corner of a triangle; infinite where nothing is asked.
   double length_by_field(const Mesh& mesh, TriangleId t, int corner) const;
 };
-/// From the document's criteria; `size` is the compiled expression of criteria.size (empty if there is none).
+/// From the document's criteria; `size` is the compiled expression of criteria.size (empty if there is none). Both, and
+/// the values of the size field, are in the document's units; the goals are in those of the mesh.
 /// Throws      std::invalid_argument where criteria.size_field names no field of one component
 QualityGoals goals_of(const Mesh& mesh, SizeFunction size);
 

@@ -1,5 +1,7 @@
 #include "pliant/improve/straighten_edges.h"
 
+#include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "pliant/ops/smooth_edge.h"
@@ -9,11 +11,12 @@ namespace {
 
 constexpr int most_rounds = 4;
 
-/// To rounding: by less than this part of the edge.
+/// To rounding: by less than this part of the edge, or four units in the last place of its coordinates.
 bool is_straight(const Mesh& mesh, HalfEdgeId h) {
-  constexpr double rounding = 1e-14;
+  constexpr double rounding = 1e-14, rounding_of_coordinate = 0x1p-50;
   const Point &a = mesh.point(mesh.origin(h)), &b = mesh.point(mesh.target(h));
-  const double off = rounding * rounding * squared_length(b - a);
+  const double of_place = rounding_of_coordinate * std::max(std::fabs(a.x), std::fabs(a.y));
+  const double off = std::max(rounding * rounding * squared_length(b - a), of_place * of_place);
   for (int k = 1; k < mesh.degree(); ++k) {
     const double w = static_cast<double>(k) / mesh.degree();
     if (squared_length(mesh.point(mesh.edge_point(h, k)) - ((1 - w) * a + w * b)) > off) return false;

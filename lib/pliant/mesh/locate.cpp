@@ -139,7 +139,7 @@ TriangleId Locator::nearest_of_some(const Point& p) {
 }
 
 std::optional<Location> Locator::search_tree(const Point& p) {
-  if (tree_.empty()) tree_.build(mesh_, inside_tolerance * mesh_.size());
+  if (tree_.empty()) tree_.build(mesh_, mesh_.tolerance());
   std::optional<Location> found;
   tree_.visit(p, [&](TriangleId t) {
     const auto xi = search(t, p);

@@ -96,6 +96,8 @@ class Mesh {
   Box box() const;  ///< of all control points
   /// The diagonal of box() when the mesh was made (as read): tolerances are relative to it.
   double size() const { return size_; }
+  /// Places closer than this are the same up to rounding (Box::tolerance of the same box).
+  double tolerance() const { return tolerance_; }
 
   // -- changes; recorded inside a Transaction
   void set_point(PointId p, const Point& position);
@@ -149,6 +151,7 @@ class Mesh {
     return (static_cast<std::uint64_t>(static_cast<std::uint32_t>(p)) << 32) | static_cast<std::uint32_t>(f);
   }
   Mesh(MeshData& data, const HalfEdges& half_edges);
+  void measure();
   void connect(const MeshData& data, const HalfEdges& half_edges);
   void log(Log what, std::size_t index, std::uint64_t bits) {
     if (recording_ > 0) log_.push_back({what, static_cast<std::uint32_t>(index), bits});
@@ -167,7 +170,7 @@ class Mesh {
   int degree_ = 2;
   int net_size_ = 6;
   int width_ = 2;
-  double size_ = 0;
+  double size_ = 0, tolerance_ = 0;
   int triangle_count_ = 0;
   const NetLayout* layout_ = &NetLayout::of(2);
   std::vector<Point> points_;

@@ -23,8 +23,14 @@ Mesh::Mesh(MeshData& data, const HalfEdges& half_edges)
   faces_ = std::move(data.triangle_faces);
   triangle_count_ = static_cast<int>(faces_.size());
   for (Field& field : data.fields) set_field(std::move(field));
-  size_ = box().size();
+  measure();
   changed_ = false;
+}
+
+void Mesh::measure() {
+  const Box all = box();
+  size_ = all.size();
+  tolerance_ = all.tolerance();
 }
 
 void Mesh::set_field(Field field) {
@@ -159,7 +165,7 @@ void Mesh::compact() {
   if (changed_)
     *this = Mesh(to_data());
   else
-    size_ = box().size();
+    measure();
 }
 
 void Mesh::renumber() {

@@ -1,4 +1,5 @@
 #pragma once  // lib/pliant/mesh/pass_report.h: what one pass did to one mesh, as numbers
+#include <cstddef>
 #include <string>
 #include <utility>
 #include <vector>
@@ -21,9 +22,15 @@ struct PassReport {
   std::vector<std::pair<std::string, double>> values;  ///< whole numbers where they count something
   std::vector<std::pair<std::string, long>> refusals;  ///< reason -> how often; only those that occurred
   std::vector<RefusedAt> refused_at;                   ///< those with a place, at most `most_places` a reason
+  std::vector<std::size_t> lengths;                    ///< which of the values are lengths
+  double resolution = 0;                               ///< of places as they are printed; 0: all digits
   std::vector<std::string> notes;                      ///< sentences for -v: what blocks, what stays poor
 
   void add(std::string name, double value) { values.emplace_back(std::move(name), value); }
+  void add_length(std::string name, double value) {
+    lengths.push_back(values.size());
+    add(std::move(name), value);
+  }
   /// Counts a refusal `times` times; the count so far.
   long refuse(const std::string& reason, long times = 1) {
     for (auto& [name, count] : refusals)

@@ -25,7 +25,6 @@ void ParentRecovery::start(const Mesh& mesh, std::span<const TriangleId> pieces)
   degree_ = mesh.degree();
   n_ = mesh.net_size();
   width_ = mesh.width();
-  size_ = mesh.size();
   patch_.capture(mesh, pieces);
   const Patch::Moments moments = patch_.moments_of(none);
   linear_.clear();
@@ -37,7 +36,10 @@ void ParentRecovery::start(const Mesh& mesh, std::span<const TriangleId> pieces)
     double& largest = largest_[k % at(width_)];
     largest = std::max(largest, std::abs(rows[k]));
   }
-  largest_[0] = largest_[1] = size_;
+  tolerances_.assign(at(width_), mesh.tolerance());
+  for (std::size_t c = 2; c < at(width_); ++c)
+    tolerances_[c] = subdivision_tolerance * largest_[c] +
+                     (std::abs(linear_[c - 2].c1) + std::abs(linear_[c - 2].c2)) * mesh.tolerance();
   origin_ = {rows[0], rows[1]};
   reduce(pieces_);
   for (std::size_t c = 2; c < at(width_); ++c) {
@@ -121,7 +123,7 @@ bool ParentRecovery::find_edge(int e, double s, std::array<int, 2> first, std::a
   }
   find_residual();
   for (std::size_t k = 0; k < residual_.size(); ++k)
-    if (!(std::abs(residual_[k]) <= subdivision_tolerance * largest_[k % width])) return false;
+    if (!(std::abs(residual_[k]) <= tolerances_[k % width])) return false;
   for (int k = 0; k <= p; ++k) {
     const auto to = layout.edge_index(e, k) * width_;
     std::copy_n(polygon.begin() + k * width_, width_, reduced_.begin() + to);
@@ -156,7 +158,7 @@ bool ParentRecovery::subtract_pieces(std::span<const std::array<Barycentric, 3>>
     sub_net(degree_, width_, reduced_, a, b, c, rest);
     for (std::size_t k = 0; k < each; ++k) {
       rest[k] = pieces_[piece * each + k] - rest[k];
-      is_small = is_small && std::abs(rest[k]) <= subdivision_tolerance * largest_[k % at(width_)];
+      is_small = is_small && std::abs(rest[k]) <= tolerances_[k % at(width_)];
     }
   }
   return is_small;

@@ -24,7 +24,8 @@ class ParentRecovery {
   /// Puts the control points inside edge e elsewhere; fields follow as their best linear functions do.
   void place_edge(int e, std::span<const Point> points);
   /// The inner points. `corners`: where each piece's corners lie in the parent. False where the pieces of what was
-  /// found differ from those that are by more than the tolerance (times the size, or the largest value of a field).
+  /// found differ from those that are by more than the mesh's tolerance, or by more of a field than its largest value
+  /// times `subdivision_tolerance` and what its slope makes of that length.
   /// Complexity  O(p^8) for p > 2, else O(1)
   bool find_inner(std::span<const std::array<Barycentric, 3>> corners);
 
@@ -44,11 +45,11 @@ class ParentRecovery {
   bool subtract_pieces(std::span<const std::array<Barycentric, 3>> corners);
 
   int degree_ = 0, n_ = 0, width_ = 0;
-  double size_ = 0;
   Point origin_;
   Patch patch_;
   std::vector<Patch::Linear> linear_;     // of each field's columns
-  std::vector<double> largest_;           // of each column
+  std::vector<double> largest_;           // of each field's column
+  std::vector<double> tolerances_;        // of each column's residual
   std::vector<double> pieces_;            // reduced
   std::vector<double> parent_, reduced_;  // rows of the parent
   std::vector<double> residual_, image_, right_, units_;

@@ -34,8 +34,8 @@ std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// Where control point k of a straight triangle stands.
 Point straight(const NetLayout& layout, int k, const Point& a, const Point& b, const Point& c) {
-  const auto& [i, j, l] = layout.exponents(k);
-  return (1.0 / layout.degree()) * (i * a + j * b + l * c);
+  const int j = layout.exponents(k)[1], l = layout.exponents(k)[2];
+  return a + (1.0 / layout.degree()) * (j * (b - a) + l * (c - a));
 }
 
 int index_in(std::span<const PointId> free, PointId p) {

@@ -126,7 +126,7 @@ CurveRemoval remove_curve_vertex(Mesh& mesh, PointId v, const CurveTolerance& to
   thread_local Patch patch;
   patch.capture(mesh, before);
   // Where the curve stays where it is, so does the region of the merging elements: integrals are kept there.
-  const bool region_kept = *error <= subdivision_tolerance * mesh.size();
+  const bool region_kept = *error <= mesh.tolerance();
   thread_local Patch merging;
   if (region_kept) merging.capture(mesh, {before.data(), star.outgoing.size()});
   thread_local RegionIntegrals integrals_before, integrals;

@@ -81,7 +81,11 @@ double CurveStretch::restore_area(Mesh& mesh) const {
   // Without its first break a closed curve begins at the next one.
   const double place = knot_ < spline.first_parameter() ? knot_ + spline.period() : knot_;
   const std::vector<int> near = points_around(spline, place);
-  // The area is quadratic in the points, so central differences are its gradient.
+  // The area is quadratic in the points, so central differences are its gradient, whatever the step.
+  Box box;
+  visit_points(spline, spline.interval(place) - reach(spline), 2 * reach(spline) + 1,
+               [&](int, int i) { box.extend(spline.points()[at(i)]); });
+  const double step = std::ldexp(1.0, std::ilogb(box.size()));
   const auto area_with = [&](int k, const Point& there) {
     const Point kept = spline.points()[at(k)];
     mesh.set_curve_point(curve_, k, there);
@@ -93,22 +97,20 @@ double CurveStretch::restore_area(Mesh& mesh) const {
   std::vector<Vector> gradient;
   for (const int k : near) {
     const Point p0 = spline.points()[at(k)];
-    gradient.push_back({(area_with(k, p0 + Vector{1, 0}) - area_with(k, p0 - Vector{1, 0})) / 2,
-                        (area_with(k, p0 + Vector{0, 1}) - area_with(k, p0 - Vector{0, 1})) / 2});
+    gradient.push_back({(area_with(k, p0 + Vector{step, 0}) - area_with(k, p0 - Vector{step, 0})) / (2 * step),
+                        (area_with(k, p0 + Vector{0, step}) - area_with(k, p0 - Vector{0, step})) / (2 * step)});
     squares += squared_length(gradient.back());
   }
   double last = HUGE_VAL;
-  for (int step = 0; step < 60 && squares > 0; ++step) {  // each leaves a small share of the rest, then only rounding
+  for (int round = 0; round < 60 && squares > 0;
+       ++round) {  // each leaves a small share of the rest, then only rounding
     const double missing = area_ - area(spline);
     if (!(std::abs(missing) < last)) break;
     last = std::abs(missing);
     for (std::size_t k = 0; k < near.size(); ++k)
       mesh.set_curve_point(curve_, near[k], spline.points()[at(near[k])] + (missing / squares) * gradient[k]);
   }
-  Box box;
-  visit_points(spline, spline.interval(place) - reach(spline), 2 * reach(spline) + 1,
-               [&](int, int i) { box.extend(spline.points()[at(i)]); });
-  if (last > 1e-13 * box.size() * box.size()) return HUGE_VAL;  // too much is missing for small steps
+  if (last > 0.1 * box.tolerance() * box.size()) return HUGE_VAL;  // too much is missing for small steps
   return distance_to(mesh, place);
 }
 

@@ -15,6 +15,7 @@ class Condition {
   explicit Condition(const std::string& text);
 
   const std::string& text() const { return text_; }
+  double bound() const { return bound_; }
   /// The value of the key; empty where the report has none (tangent_jump without such knots, metrics of no element).
   std::optional<double> value(const QualityReport& report) const;
   /// A value that does not exist fulfils no condition.

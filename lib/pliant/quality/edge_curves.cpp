@@ -112,7 +112,11 @@ double curve_length(std::span<const Point> polygon) {
   if (!(legs - chord > 1e-14 * legs)) return chord;  // between the two lies the length
   if (polygon.size() == 3)
     if (const std::optional<double> length = gentle_length(polygon)) return *length;
-  return length_between(polygon, gauss_length(polygon), 1e-10 * legs, 20);
+  // Relative to its start: far from the origin the rounding of halves would never let two estimates agree.
+  Polygon relative;
+  for (std::size_t k = 0; k < polygon.size(); ++k) relative[k] = polygon[k] - polygon[0];
+  const auto from_start = std::span<const Point>(relative).first(polygon.size());
+  return length_between(from_start, gauss_length(from_start), 1e-10 * legs, 20);
 }
 
 }  // namespace pliant

@@ -72,7 +72,7 @@ class Reporter {
     report_.overlaps = overlaps.count;
     report_.overlap_places = std::move(overlaps.places);
     measure_elements(half_edges, elements != nullptr);
-    count_points(half_edges.is_sound());
+    measure_points(half_edges.is_sound());
     report_.fields = field_figures(data_, chosen_);
     for (int m = 0; m < metric_count; ++m) {
       MetricSummary summary = metrics_[at(m)].finish();
@@ -97,7 +97,10 @@ class Reporter {
     return std::span<const Point>(net_).first(n_);
   }
 
-  void count_points(bool is_sound) {
+  void measure_points(bool is_sound) {
+    Box box;
+    for (const Point& p : data_.points) box.extend(p);
+    report_.size = box.size();
     enum : char { unused, control_point, vertex };
     const auto uses_in = [this](auto&& is_wanted) {
       std::vector<char> use(data_.points.size(), unused);

@@ -52,6 +52,7 @@ struct QualityReport {
   std::int64_t triangles = 0, vertices = 0, control_points = 0;
   int degree = 0;
   double time = 0, area = 0;
+  double size = 0;  ///< the diagonal of the box of all control points: what places are to be told apart by
   std::int64_t invalid = 0, degenerate = 0;
   std::vector<BadElement> invalid_elements, degenerate_elements;  ///< the first 100 of each, or `worst` if that is more
   /// Pairs of boundary edges that meet elsewhere than at a common vertex (at most 100,000 are counted), and boundary
@@ -86,5 +87,9 @@ struct QualityOptions {
 /// Throws      std::invalid_argument where `options.faces` names a face that the document does not have
 QualityReport report_quality(const MeshData& data, const QualityOptions& options = {},
                              ElementFigures* elements = nullptr);
+
+/// Brings the figures of a normalised mesh (normalize_unit) back to the units of its document: places, lengths, areas,
+/// values of det J, and the fields' integrals; the figures of single elements as well.
+void restore_unit(QualityReport& report, ElementFigures& elements, double unit);
 
 }  // namespace pliant
