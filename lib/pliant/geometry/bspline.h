@@ -86,6 +86,8 @@ class BSpline {
   /// a closed one, no knot at t). Only degree - multiplicity control points change. When the first break of a closed
   /// curve loses its last knot, the next break becomes the first one (the period stays).
   std::optional<double> remove_knot(double t);
+  /// The error that remove_knot(t) would return, curve unchanged.   Complexity O(degree^2 + log knots), no allocation
+  std::optional<double> removal_error(double t) const;
   /// Removes break t altogether (all its multiplicity); the bound is the sum. Refuses as above, curve unchanged.
   std::optional<double> remove_break(double t);
 
@@ -105,6 +107,13 @@ class BSpline {
  private:
   /// An insertion of t, its points those that will be there.
   KnotInsertion plan_insertion(double& t) const;
+  struct KnotRemoval {
+    int knot, multiplicity, first, count;  ///< index of the knot; its copies; of the first new control point; how many
+    std::array<Point, max_curve_degree + 1> points;  ///< those that will be there
+    double error;
+  };
+  /// A removal of t; empty where remove_knot refuses.
+  std::optional<KnotRemoval> plan_removal(double& t) const;
   /// Control point i, periodically continued on a closed curve.
   const Point& point(int i) const;
   /// The greatest i (stored; open: below the last non-empty span's end) with knot(i) <= t.

@@ -14,6 +14,7 @@ struct CoarsenOptions {
   double factor = 1.0;               ///< scales the spheres of the sizing function
   bool keep_area = false;            ///< removals keep the area enclosed by their curve
   RefitOptions refit;
+  bool uses_forecast = true;  ///< false: every removal is tried on the mesh itself; for tests
 };
 
 /// Removes vertices: the wanted spacing (size bounds, made Lipschitz) chooses a maximal set with disjoint spheres that

@@ -34,7 +34,7 @@ HalfEdgeId step_along(const Mesh& mesh, HalfEdgeId h, bool forward) {
 }  // namespace
 
 Passage passage_at(const Mesh& mesh, PointId v, const Star& star) {
-  if (star.components != 1) return {};
+  if (star.components != 1 || mesh.is_lone_vertex(v)) return {};
   thread_local std::vector<HalfEdgeId> edges;
   constrained_at(mesh, star, edges);
   if (edges.size() != 2) return {};

@@ -19,33 +19,76 @@ void add_once(std::vector<TriangleId>& list, TriangleId t) {
   if (std::find(list.begin(), list.end(), t) == list.end()) list.push_back(t);
 }
 
+/// The removal of a knot as far as the curve alone decides it.
+struct KnotRemoval {
+  Refusal refusal = Refusal::done;
+  double error = 0;
+  Passage passage;
+  BSpline spline;            ///< without the knot
+  PointId from = 0, to = 0;  ///< the ends of the edge that is left
+  double start = 0;          ///< where it starts
+};
+
+KnotRemoval plan_removal(const Mesh& mesh, PointId v, const Star& star, const CurveTolerance& tolerance) {
+  KnotRemoval plan;
+  plan.passage = passage_at(mesh, v, star);
+  const auto refused = [&plan](Refusal refusal) {
+    plan.refusal = refusal;
+    return plan;
+  };
+  if (plan.passage.curve == none) return refused(Refusal::corner);  // or pinched, or on no curve
+  const Curve& curve = mesh.boundary().curves[at(plan.passage.curve)];
+  const ConstraintId kept = mesh.constraint(plan.passage.before), dropped = mesh.constraint(plan.passage.after);
+  const double knot = mesh.constraint_start(dropped);
+  plan.start = mesh.constraint_start(kept);
+  if (curve.spline.closed() ? curve.spline.span_count() <= 3 : knot <= curve.spline.first_parameter())
+    return refused(Refusal::not_removable);
+  const auto is_tolerable = [&] {
+    return curve.removal_error + plan.error <= tolerance.total && plan.error <= tolerance.step;
+  };
+  // The first of a knot's copies costs no more than all of them; it tells without a copy of the curve.
+  const std::optional<double> least = curve.spline.removal_error(knot);
+  if (!least) return refused(Refusal::not_removable);
+  plan.error = *least;
+  if (!is_tolerable()) return refused(Refusal::exceeds_tolerance);
+  plan.spline = curve.spline;
+  const std::optional<double> error = plan.spline.remove_break(knot);
+  if (!error) return refused(Refusal::not_removable);
+  plan.error = *error;
+  if (is_tolerable() && tolerance.keep_area) plan.error = restore_area(curve.spline, plan.spline, knot);
+  if (!is_tolerable()) return refused(Refusal::exceeds_tolerance);
+  std::array<Point, max_degree + 1> merged_polygon;
+  const std::span<Point> long_span{merged_polygon.data(), at(mesh.degree() + 1)};
+  plan.spline.extract(plan.start, long_span);
+  if (turning_angle(long_span) > tolerance.max_turning) return refused(Refusal::too_curved);
+  plan.from = mesh.constraint_first(kept);
+  plan.to = mesh.origin(plan.passage.after) == v ? mesh.target(plan.passage.after) : mesh.origin(plan.passage.after);
+  if (find_half_edge(mesh, plan.from, plan.to) != none || find_half_edge(mesh, plan.to, plan.from) != none)
+    return refused(Refusal::edge_exists);
+  return plan;
+}
+
 }  // namespace
+
+CurveRemoval foresee_curve_removal(const Mesh& mesh, PointId v, const CurveTolerance& tolerance) {
+  thread_local Star star;
+  find_star(mesh, v, star);
+  const KnotRemoval plan = plan_removal(mesh, v, star, tolerance);
+  return {plan.refusal, plan.error};
+}
 
 CurveRemoval remove_curve_vertex(Mesh& mesh, PointId v, const CurveTolerance& tolerance, const RefitOptions& options) {
   Star star;
   find_star(mesh, v, star);
-  const Passage passage = passage_at(mesh, v, star);
-  if (passage.curve == none) return {Refusal::corner};  // or pinched, or on no curve
+  KnotRemoval plan = plan_removal(mesh, v, star, tolerance);
+  if (plan.refusal != Refusal::done) return {plan.refusal, plan.error};
+  const Passage passage = plan.passage;
   const Curve& curve = mesh.boundary().curves[at(passage.curve)];
   const ConstraintId kept = mesh.constraint(passage.before), dropped = mesh.constraint(passage.after);
-  const double knot = mesh.constraint_start(dropped), start = mesh.constraint_start(kept);
-  if (curve.spline.closed() ? curve.spline.span_count() <= 3 : knot <= curve.spline.first_parameter())
-    return {Refusal::not_removable};
-  BSpline spline = curve.spline;
-  std::optional<double> error = spline.remove_break(knot);
-  if (!error) return {Refusal::not_removable};
-  const auto refused = [&error](Refusal refusal) { return CurveRemoval{refusal, *error}; };
-  const auto is_tolerable = [&] { return curve.removal_error + *error <= tolerance.total && *error <= tolerance.step; };
-  if (is_tolerable() && tolerance.keep_area) error = restore_area(curve.spline, spline, knot);
-  if (!is_tolerable()) return refused(Refusal::exceeds_tolerance);
-  std::array<Point, max_degree + 1> merged_polygon;
-  const std::span<Point> long_span{merged_polygon.data(), at(mesh.degree() + 1)};
-  spline.extract(start, long_span);
-  if (turning_angle(long_span) > tolerance.max_turning) return refused(Refusal::too_curved);
-  const PointId from = mesh.constraint_first(kept);
-  const PointId to = mesh.origin(passage.after) == v ? mesh.target(passage.after) : mesh.origin(passage.after);
-  if (find_half_edge(mesh, from, to) != none || find_half_edge(mesh, to, from) != none)
-    return refused(Refusal::edge_exists);
+  const double start = plan.start;
+  BSpline& spline = plan.spline;
+  const PointId from = plan.from, to = plan.to;
+  const auto refused = [&plan](Refusal refusal) { return CurveRemoval{refusal, plan.error}; };
 
   Transaction transaction(mesh);
   // Ears first, so that each side has two triangles. A fan starts at the outgoing half-edge that has the curve on its
@@ -108,7 +151,7 @@ CurveRemoval remove_curve_vertex(Mesh& mesh, PointId v, const CurveTolerance& to
   thread_local Patch patch;
   patch.capture(mesh, before);
   // Where the curve stays where it is, so does the region of the merging elements: integrals are kept there.
-  const bool region_kept = *error <= subdivision_tolerance * mesh.size();
+  const bool region_kept = plan.error <= subdivision_tolerance * mesh.size();
   thread_local Patch merging;
   if (region_kept) merging.capture(mesh, {before.data(), star.outgoing.size()});
   thread_local RegionIntegrals integrals_before, integrals;
@@ -138,7 +181,7 @@ CurveRemoval remove_curve_vertex(Mesh& mesh, PointId v, const CurveTolerance& to
   mesh.free_constraint(dropped);
   free_edge_points(mesh, old_after);
   mesh.free_point(v);
-  mesh.set_spline(passage.curve, std::move(spline), curve.removal_error + *error);
+  mesh.set_spline(passage.curve, std::move(spline), curve.removal_error + plan.error);
 
   // Geometry: the curve as extracted; what hangs on moved vertices keeps its displacement.
   std::vector<TriangleId> after;
@@ -229,7 +272,7 @@ CurveRemoval remove_curve_vertex(Mesh& mesh, PointId v, const CurveTolerance& to
       (region_kept ? merging : patch).fit_fields(mesh, merged_triangles, free, options, region_kept);
     }
   }
-  CurveRemoval removal{Refusal::done, *error};
+  CurveRemoval removal{Refusal::done, plan.error};
   if (!region_kept && width > 2) {
     integrals.take(mesh, after);
     if (options.region_change == RegionChange::conserve) {

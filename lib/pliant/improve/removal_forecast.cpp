@@ -1,0 +1,135 @@
+// lib/pliant/improve/removal_forecast.cpp: a chain of removals on straight triangles, and what refine would say to it.
+#include "pliant/improve/removal_forecast.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "pliant/geometry/linear_triangle.h"
+#include "pliant/improve/refine.h"
+#include "pliant/improve/refine_attack.h"
+
+namespace pliant {
+namespace {
+
+constexpr double slack = 1e-9;  // relative: rounding must not make the forecast stricter than what it foretells
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+}  // namespace
+
+const char* attack_reason(const Mesh& mesh, TriangleId t, const QualityGoals& goals) {
+  return refine_reason(mesh, t, goals);
+}
+
+Culprit find_culprit(const Mesh& mesh, const std::array<PointId, 3>& corners, const std::vector<bool>& slated) {
+  const auto squared = [&](int e) {
+    return squared_length(mesh.point(corners[at((e + 1) % 3)]) - mesh.point(corners[at(e)]));
+  };
+  const std::array<double, 3> sides{squared(0), squared(1), squared(2)};
+  int shortest = 0;  // of equal ones the side that starts at the lowest number, wherever the triangle starts
+  for (int e = 1; e < 3; ++e)
+    if (sides[at(e)] < sides[at(shortest)] ||
+        (sides[at(e)] == sides[at(shortest)] && corners[at(e)] < corners[at(shortest)]))
+      shortest = e;
+  Culprit culprit{none, sides[at(shortest)], corners};
+  std::sort(culprit.triangle.begin(), culprit.triangle.end());
+  for (const int c : {shortest + 2, shortest + 1, shortest}) {
+    const PointId w = corners[at(c % 3)];
+    if (slated[at(w)] && mesh.is_vertex(w)) culprit.vertex = w;
+  }
+  return culprit;
+}
+
+RemovalForecast::RemovalForecast(const Mesh& mesh, const QualityGoals& goals, const CurveTolerance& tolerance,
+                                 const std::vector<bool>& slated)
+    : mesh_(mesh),
+      goals_(goals),
+      tolerance_(tolerance),
+      slated_(slated),
+      patch_(mesh),
+      least_sine_(std::sin(goals.min_angle * std::numbers::pi / 180) * (1 - slack)) {
+  bounds_area_ = goals.max_area < HUGE_VAL ||
+                 std::any_of(goals.face_area.begin(), goals.face_area.end(), [](double a) { return a < HUGE_VAL; });
+}
+
+/// The least angle is opposite to the shortest side: its sine is twice the area over the product of the two others.
+bool RemovalForecast::is_surely_poor(const Point& a, const Point& b, const Point& c) const {
+  const double twice_area = cross(b - a, c - a);
+  if (!(twice_area > 0)) return true;
+  const double ab = squared_length(b - a), bc = squared_length(c - b), ca = squared_length(a - c);
+  const double least = std::min({ab, bc, ca});
+  const double product = least == ab ? bc * ca : least == bc ? ab * ca : ab * bc;
+  if (!(product > 1e-280 && product < 1e280))  // sides near the limits of doubles: the slow way
+    return radius_edge_ratio(a, b, c) > (1 + slack) / (2 * least_sine_);
+  return twice_area * twice_area < least_sine_ * least_sine_ * product;
+}
+
+/// The area of an element differs from that of its logical triangle by less than its sides times what they are off
+/// their chords, which no flip makes larger.
+bool RemovalForecast::is_surely_large(const LogicalPatch::Piece& piece) const {
+  const Point &a = mesh_.point(piece.corners[0]), &b = mesh_.point(piece.corners[1]),
+              &c = mesh_.point(piece.corners[2]);
+  if (bounds_area_) {
+    const double around = distance(a, b) + distance(b, c) + distance(c, a);
+    const double least = cross(b - a, c - a) / 2 - 1.5 * patch_.bend() * around;
+    if (least > (1 + slack) * goals_.area_bound(piece.face)) return true;
+  }
+  if (!goals_.size && goals_.size_field == none) return false;
+  double wanted = goals_.length_at((1.0 / 3) * (a + b + c), mesh_.time);
+  if (goals_.size_field != none) {
+    double sum = 0;
+    for (const PointId v : piece.corners) sum += goals_.length_by_field_at(mesh_, v, piece.face);
+    wanted = std::min(wanted, sum / 3);
+  }
+  const double longest = std::max({distance(a, b), distance(b, c), distance(c, a)});
+  return longest > (1 + slack) * size_slack * wanted;
+}
+
+const char* RemovalForecast::reason_of(const LogicalPatch::Piece& piece) const {
+  if (is_surely_large(piece)) return "too large";
+  if (goals_.min_angle > 0 &&
+      is_surely_poor(mesh_.point(piece.corners[0]), mesh_.point(piece.corners[1]), mesh_.point(piece.corners[2])))
+    return "too poor";
+  return nullptr;
+}
+
+/// What the mesh around has become in the chain does not matter to the curve.
+bool RemovalForecast::is_held_by_curve(PointId v) const {
+  const Refusal refusal = foresee_curve_removal(mesh_, v, tolerance_).refusal;
+  return refusal == Refusal::corner || refusal == Refusal::not_removable || refusal == Refusal::exceeds_tolerance ||
+         refusal == Refusal::too_curved;
+}
+
+RemovalRefusal RemovalForecast::of_inner(PointId v) {
+  patch_.start(bounds_area_);
+  RemovalRefusal last;
+  int removed = 0;
+  for (PointId w = v;;) {
+    switch (patch_.remove_inner(w)) {
+      case LogicalPatch::Outcome::unknown:
+        if (w != v && is_held_by_curve(w)) return last;
+        return {};
+      case LogicalPatch::Outcome::stuck:
+        if (w == v) return {describe(Refusal::not_removable)};
+        return last;
+      case LogicalPatch::Outcome::done:
+        break;
+    }
+    last = {};
+    Culprit first;
+    for (const LogicalPatch::Piece& piece : patch_.pieces()) {
+      if (!piece.is_alive || !piece.is_new) continue;
+      const char* reason = reason_of(piece);
+      if (reason == nullptr) continue;
+      last = {reason, true};
+      const Culprit culprit = find_culprit(mesh_, piece.corners, slated_);
+      if (culprit.vertex == none) return last;
+      first = std::min(first, culprit);
+    }
+    if (last.reason == nullptr || ++removed == most_chained) return last;
+    w = first.vertex;
+  }
+}
+
+}  // namespace pliant
