@@ -26,6 +26,7 @@ int LogicalPatch::bring_in(TriangleId t) {
   Piece copy;
   copy.is_alive = true;
   copy.face = mesh_.face(t);
+  copy.triangle = t;
   for (int e = 0; e < 3; ++e) {
     const HalfEdgeId h = half_edge(t, e), g = mesh_.twin(h);
     if (measures_) measure(h);
@@ -65,35 +66,72 @@ void LogicalPatch::set_beyond(int p, int side, int beyond, bool is_constrained) 
     piece(beyond).beyond[at(side_towards(beyond, piece(p).corners[at((side + 1) % 3)]))] = p;
 }
 
-/// False where a curve passes through v.
-bool LogicalPatch::gather_ring(PointId v) {
-  ring_.clear();
-  int first = -1;
-  for (int p = 0; p < static_cast<int>(pieces_.size()) && first < 0; ++p)
+/// A piece with this corner.
+int LogicalPatch::piece_at(PointId v) {
+  for (int p = 0; p < static_cast<int>(pieces_.size()); ++p)
     if (piece(p).is_alive && std::find(piece(p).corners.begin(), piece(p).corners.end(), v) != piece(p).corners.end())
-      first = p;
-  if (first < 0) first = bring_in(triangle_of(mesh_.vertex_half_edge(v)));
+      return p;
+  return bring_in(triangle_of(mesh_.vertex_half_edge(v)));
+}
+
+int LogicalPatch::neighbor(int p, int side) {
+  const int beyond = piece(p).beyond[at(side)];
+  return beyond >= 0 ? beyond : bring_in(triangle_of(half_edge_of(beyond)));
+}
+
+/// Makes v corner 0.
+void LogicalPatch::turn(int p, PointId v) {
+  Piece& here = piece(p);
+  const int c = side_towards(p, v);
+  std::rotate(here.corners.begin(), here.corners.begin() + c, here.corners.end());
+  std::rotate(here.beyond.begin(), here.beyond.begin() + c, here.beyond.end());
+  std::rotate(here.is_constrained.begin(), here.is_constrained.begin() + c, here.is_constrained.end());
+}
+
+LogicalPatch::Outcome LogicalPatch::gather_ring(PointId v) {
+  ring_.clear();
+  const int first = piece_at(v);
   for (int p = first;;) {
-    Piece& here = piece(p);
-    const int c = side_towards(p, v);
-    std::rotate(here.corners.begin(), here.corners.begin() + c, here.corners.end());
-    std::rotate(here.beyond.begin(), here.beyond.begin() + c, here.beyond.end());
-    std::rotate(here.is_constrained.begin(), here.is_constrained.begin() + c, here.is_constrained.end());
+    turn(p, v);
     ring_.push_back(p);
-    const int next = here.beyond[2];
-    if (next == wall || here.is_constrained[2] || static_cast<int>(ring_.size()) > most_degree) return false;
-    p = next >= 0 ? next : bring_in(triangle_of(half_edge_of(next)));
-    if (p == first) return true;
+    if (piece(p).beyond[2] == wall || piece(p).is_constrained[2]) return Outcome::on_curve;
+    if (static_cast<int>(ring_.size()) > most_degree) return Outcome::unknown;
+    p = neighbor(p, 2);
+    if (p == first) return Outcome::done;
   }
 }
 
+/// The pieces around v on p's side of the curve; false if there are too many.
+bool LogicalPatch::gather_fan(int p, PointId v) {
+  const auto ends = [this](int q, int side) {
+    return piece(q).beyond[at(side)] == wall || piece(q).is_constrained[at(side)];
+  };
+  turn(p, v);
+  for (int steps = 0; !ends(p, 0); ++steps) {
+    if (steps > most_degree) return false;
+    p = neighbor(p, 0);
+    turn(p, v);
+  }
+  ring_.assign(1, p);
+  while (!ends(p, 2)) {
+    if (static_cast<int>(ring_.size()) > most_degree) return false;
+    p = neighbor(p, 2);
+    turn(p, v);
+    ring_.push_back(p);
+  }
+  return true;
+}
+
 /// The deepest ear that a flip can cut off, as `reduce_fan` does; false if there is none.
-bool LogicalPatch::cut_ear() {
+bool LogicalPatch::cut_ear(bool is_closed) {
   const int count = static_cast<int>(ring_.size());
   const Point& v = place(piece(ring_[0]).corners[0]);
-  const auto link = [&](int i) -> const Point& { return place(piece(ring_[at((i + count) % count)]).corners[1]); };
+  const auto link = [&](int i) -> const Point& {
+    return i == count && !is_closed ? place(piece(ring_[at(count - 1)]).corners[2])
+                                    : place(piece(ring_[at((i + count) % count)]).corners[1]);
+  };
   ears_.clear();
-  for (int i = 0; i < count; ++i) {
+  for (int i = is_closed ? 0 : 1; i < count; ++i) {
     const Point &a = link(i - 1), &b = link(i), &c = link(i + 1);
     if (cross(b - a, c - a) > 0) ears_.emplace_back(depth_in_circle(a, b, c, v), i);
   }
@@ -146,6 +184,35 @@ void LogicalPatch::merge_ring() {
   for (int e = 0; e < 3; ++e) set_beyond(merged, e, now.beyond[at(e)], now.is_constrained[at(e)]);
 }
 
+/// The two pieces that are left on one side of a curve become one, whose side 2 lies on the curve.
+int LogicalPatch::merge_fan() {
+  const Piece other = piece(ring_[1]);
+  const int merged = ring_[0];
+  Piece now = piece(merged);
+  now.corners = {now.corners[1], now.corners[2], other.corners[2]};
+  now.beyond = {now.beyond[1], other.beyond[1], wall};
+  now.is_constrained = {now.is_constrained[1], other.is_constrained[1], true};
+  now.is_new = true;
+  piece(merged) = now;
+  piece(ring_[1]).is_alive = false;
+  for (int e = 0; e < 2; ++e) set_beyond(merged, e, now.beyond[at(e)], now.is_constrained[at(e)]);
+  return merged;
+}
+
+void LogicalPatch::bring_in_star(PointId v) {
+  find_star(mesh_, v, star_);
+  for (const HalfEdgeId h : star_.outgoing)
+    if (std::none_of(pieces_.begin(), pieces_.end(),
+                     [t = triangle_of(h)](const Piece& each) { return each.triangle == t; }))
+      bring_in(triangle_of(h));
+}
+
+bool LogicalPatch::has_moved(const Piece& piece) const {
+  return std::any_of(moved_.begin(), moved_.end(), [&](const auto& each) {
+    return std::find(piece.corners.begin(), piece.corners.end(), each.first) != piece.corners.end();
+  });
+}
+
 LogicalPatch::Outcome LogicalPatch::flip_to_delaunay() {
   for (int flips = 0; !stack_.empty();) {
     const int p = stack_.back() / 3, side = stack_.back() % 3;
@@ -167,16 +234,47 @@ LogicalPatch::Outcome LogicalPatch::flip_to_delaunay() {
 }
 
 LogicalPatch::Outcome LogicalPatch::remove_inner(PointId v) {
-  if (!gather_ring(v)) return Outcome::unknown;
+  if (const Outcome outcome = gather_ring(v); outcome != Outcome::done) return outcome;
   hole_ = ring_;
   while (ring_.size() > 3)
-    if (!cut_ear()) return Outcome::stuck;
+    if (!cut_ear(true)) return Outcome::stuck;
   if (ring_.size() < 3) return Outcome::stuck;
   merge_ring();
   stack_.clear();
   for (const int p : hole_)
     if (piece(p).is_alive)
       for (int e = 0; e < 3; ++e) stack_.push_back(3 * p + e);
+  return flip_to_delaunay();
+}
+
+LogicalPatch::Outcome LogicalPatch::remove_on_curve(PointId v, const std::vector<std::pair<PointId, Point>>& moved) {
+  link_.clear();
+  const auto reduce = [this, v](int p) {
+    if (!gather_fan(p, v)) return Outcome::unknown;
+    for (const int q : ring_) link_.insert(link_.end(), {piece(q).corners[1], piece(q).corners[2]});
+    while (ring_.size() > 2)
+      if (!cut_ear(false)) return Outcome::stuck;
+    return ring_.size() == 2 ? Outcome::done : Outcome::stuck;
+  };
+  if (const Outcome outcome = reduce(piece_at(v)); outcome != Outcome::done) return outcome;
+  if (piece(ring_[0]).beyond[0] == wall) {
+    merge_fan();
+  } else {
+    const std::array<int, 2> near{ring_[0], ring_[1]};
+    if (const Outcome outcome = reduce(neighbor(near[0], 0)); outcome != Outcome::done) return outcome;
+    const int far = merge_fan();
+    ring_.assign(near.begin(), near.end());
+    const int merged = merge_fan();
+    piece(merged).beyond[2] = far;
+    piece(far).beyond[2] = merged;
+  }
+  moved_ = moved;
+  for (const auto& [w, to] : moved) link_.push_back(w);
+  for (const PointId w : link_) bring_in_star(w);
+  stack_.clear();
+  for (int q = 0; q < static_cast<int>(pieces_.size()); ++q)
+    if (piece(q).is_alive)
+      for (int e = 0; e < 3; ++e) stack_.push_back(3 * q + e);
   return flip_to_delaunay();
 }
 

@@ -1,9 +1,11 @@
 // lib/pliant/improve/logical_patch.h: some straight triangles of a mesh, copied, so that removals can be tried on them.
 #pragma once
 #include <array>
+#include <utility>
 #include <vector>
 
 #include "pliant/mesh/mesh.h"
+#include "pliant/mesh/star.h"
 
 namespace pliant {
 
@@ -17,8 +19,9 @@ class LogicalPatch {
   using Corners = std::array<PointId, 3>;
   enum class Outcome {
     done,
-    stuck,   ///< no ear can be cut, or fewer than three neighbours
-    unknown  ///< on a curve, or too many flips: nothing is said
+    on_curve,  ///< and nothing else
+    stuck,     ///< no ear can be cut, or fewer than three neighbours
+    unknown    ///< too many neighbours or flips: nothing is said
   };
   struct Piece {
     Corners corners{};
@@ -26,6 +29,7 @@ class LogicalPatch {
     std::array<int, 3> beyond{};
     std::array<bool, 3> is_constrained{};
     FaceId face = none;
+    TriangleId triangle = none;  ///< the one that was copied
     bool is_alive = false;
     bool is_new = false;  ///< not a triangle of the mesh
   };
@@ -36,11 +40,23 @@ class LogicalPatch {
   /// Forgets everything. `measures`: bend() is wanted.
   void start(bool measures = false) {
     pieces_.clear();
+    moved_.clear();
     bend_ = 0;
     measures_ = measures;
   }
   /// Removes a vertex that is on no curve as `remove_inner_vertex` would, and flips what is not Delaunay then.
   Outcome remove_inner(PointId v);
+  /// Removes a vertex that one curve passes through as `remove_curve_vertex` would; `moved` are the curve's vertices
+  /// that move, and where to.
+  Outcome remove_on_curve(PointId v, const std::vector<std::pair<PointId, Point>>& moved);
+  /// Where a vertex is, or has moved to.
+  const Point& place(PointId v) const {
+    for (const auto& [moved, to] : moved_)
+      if (moved == v) return to;
+    return mesh_.point(v);
+  }
+  /// A corner of it has moved.
+  bool has_moved(const Piece& piece) const;
   /// All pieces; some are dead.
   const std::vector<Piece>& pieces() const { return pieces_; }
   /// How far the edges of the copied triangles' elements are off their chords at most, by their control points.
@@ -48,23 +64,31 @@ class LogicalPatch {
 
  private:
   Piece& piece(int p) { return pieces_[static_cast<std::size_t>(p)]; }
-  const Point& place(PointId v) const { return mesh_.point(v); }
   int bring_in(TriangleId t);
   int side_towards(int p, PointId origin) const;
   void set_beyond(int p, int side, int beyond, bool is_constrained);
-  bool gather_ring(PointId v);
-  bool cut_ear();
+  int piece_at(PointId v);
+  int neighbor(int p, int side);
+  void turn(int p, PointId v);
+  Outcome gather_ring(PointId v);
+  bool gather_fan(int p, PointId v);
+  bool cut_ear(bool is_closed);
   void merge_ring();
+  int merge_fan();
+  void bring_in_star(PointId v);
   void flip(int p, int side);
   Outcome flip_to_delaunay();
   void measure(HalfEdgeId h);
 
   const Mesh& mesh_;
   std::vector<Piece> pieces_;
+  std::vector<std::pair<PointId, Point>> moved_;
+  Star star_;
   double bend_ = 0;
   bool measures_ = false;
   std::vector<int> ring_;  // the pieces around a vertex, which is their corner 0, counter-clockwise
   std::vector<int> hole_;  // the pieces of a star, now in the hole
+  std::vector<PointId> link_;
   std::vector<int> stack_;
   std::vector<std::pair<double, int>> ears_;
 };

@@ -34,25 +34,18 @@ double accepted_shape(const QualityGoals& goals) {
 RemovalChain::RemovalChain(Mesh& mesh, const Limits& limits, const std::vector<bool>& slated)
     : mesh_(mesh), limits_(limits), slated_(slated), forecast_(mesh, limits.goals, limits.curves, slated) {}
 
-RemovalRefusal RemovalChain::foresee(PointId v, bool is_on_curve) {
-  if (!is_on_curve) {
-    const RemovalRefusal refusal = forecast_.of_inner(v);
-    if (refusal.reason != nullptr)
-      for (const LogicalPatch::Piece& piece : forecast_.patch().pieces())
-        decided_by_.insert(decided_by_.end(), piece.corners.begin(), piece.corners.end());
-    return refusal;
-  }
-  const Refusal refusal = foresee_curve_removal(mesh_, v, limits_.curves).refusal;
-  if (refusal == Refusal::done) return {};
-  find_star(mesh_, v, star_);
-  for (const HalfEdgeId h : star_.outgoing) decided_by_.insert(decided_by_.end(), {mesh_.target(h), mesh_.apex(h)});
-  return {describe(refusal)};
+RemovalRefusal RemovalChain::foresee(PointId v) {
+  const RemovalRefusal refusal = forecast_.of(v);
+  if (refusal.reason != nullptr)
+    for (const LogicalPatch::Piece& piece : forecast_.patch().pieces())
+      decided_by_.insert(decided_by_.end(), piece.corners.begin(), piece.corners.end());
+  return refusal;
 }
 
 RemovalRefusal RemovalChain::remove(PointId v, bool is_on_curve) {
   decided_by_.assign(1, v);
   if (limits_.uses_forecast)
-    if (const RemovalRefusal refusal = foresee(v, is_on_curve); refusal.reason != nullptr) return refusal;
+    if (const RemovalRefusal refusal = foresee(v); refusal.reason != nullptr) return refusal;
   Transaction transaction(mesh_);
   chained_.clear();
   around_.clear();
@@ -173,7 +166,9 @@ Culprit RemovalChain::most_urgent(const char*& reason) const {
     const char* why = attack_reason(mesh_, t, limits_.goals);
     if (!why || std::find(attacked_.begin(), attacked_.end(), corners_of(t)) != attacked_.end()) continue;
     reason = why;
-    const Culprit culprit = find_culprit(mesh_, {mesh_.corner(t, 0), mesh_.corner(t, 1), mesh_.corner(t, 2)}, slated_);
+    const std::array<PointId, 3> corners{mesh_.corner(t, 0), mesh_.corner(t, 1), mesh_.corner(t, 2)};
+    const std::array<Point, 3> places{mesh_.point(corners[0]), mesh_.point(corners[1]), mesh_.point(corners[2])};
+    const Culprit culprit = find_culprit(mesh_, corners, places, slated_);
     if (culprit.vertex == none) return culprit;
     first = std::min(first, culprit);
   }

@@ -47,7 +47,7 @@ class RemovalChain {
   using Corners = std::array<PointId, 3>;
 
   CurveRemoval remove_one(PointId v, bool is_on_curve);
-  RemovalRefusal foresee(PointId v, bool is_on_curve);
+  RemovalRefusal foresee(PointId v);
   void note_corners(std::span<const TriangleId> triangles);
   void look_around();
   void look_inside();

@@ -22,10 +22,9 @@ const char* attack_reason(const Mesh& mesh, TriangleId t, const QualityGoals& go
   return refine_reason(mesh, t, goals);
 }
 
-Culprit find_culprit(const Mesh& mesh, const std::array<PointId, 3>& corners, const std::vector<bool>& slated) {
-  const auto squared = [&](int e) {
-    return squared_length(mesh.point(corners[at((e + 1) % 3)]) - mesh.point(corners[at(e)]));
-  };
+Culprit find_culprit(const Mesh& mesh, const std::array<PointId, 3>& corners, const std::array<Point, 3>& places,
+                     const std::vector<bool>& slated) {
+  const auto squared = [&](int e) { return squared_length(places[at((e + 1) % 3)] - places[at(e)]); };
   const std::array<double, 3> sides{squared(0), squared(1), squared(2)};
   int shortest = 0;  // of equal ones the side that starts at the lowest number, wherever the triangle starts
   for (int e = 1; e < 3; ++e)
@@ -66,64 +65,75 @@ bool RemovalForecast::is_surely_poor(const Point& a, const Point& b, const Point
 }
 
 /// The area of an element differs from that of its logical triangle by less than its sides times what they are off
-/// their chords, which no flip makes larger.
-bool RemovalForecast::is_surely_large(const LogicalPatch::Piece& piece) const {
-  const Point &a = mesh_.point(piece.corners[0]), &b = mesh_.point(piece.corners[1]),
-              &c = mesh_.point(piece.corners[2]);
-  if (bounds_area_) {
+/// their chords, which no flip makes larger; a curve that loses a knot may.
+bool RemovalForecast::is_surely_large(FaceId face, const LogicalPatch::Corners& corners, const Point& a, const Point& b,
+                                      const Point& c) const {
+  if (bounds_area_ && !curve_has_changed_) {
     const double around = distance(a, b) + distance(b, c) + distance(c, a);
     const double least = cross(b - a, c - a) / 2 - 1.5 * patch_.bend() * around;
-    if (least > (1 + slack) * goals_.area_bound(piece.face)) return true;
+    if (least > (1 + slack) * goals_.area_bound(face)) return true;
   }
   if (!goals_.size && goals_.size_field == none) return false;
   double wanted = goals_.length_at((1.0 / 3) * (a + b + c), mesh_.time);
   if (goals_.size_field != none) {
     double sum = 0;
-    for (const PointId v : piece.corners) sum += goals_.length_by_field_at(mesh_, v, piece.face);
+    for (const PointId v : corners) sum += goals_.length_by_field_at(mesh_, v, face);
     wanted = std::min(wanted, sum / 3);
   }
   const double longest = std::max({distance(a, b), distance(b, c), distance(c, a)});
   return longest > (1 + slack) * size_slack * wanted;
 }
 
+/// Removes w from the patch. `refusal` is what its curve says, if it is on one: that does not depend on what the mesh
+/// around has become in the chain.
+LogicalPatch::Outcome RemovalForecast::remove(PointId w, Refusal& refusal) {
+  refusal = Refusal::not_removable;
+  const LogicalPatch::Outcome outcome = patch_.remove_inner(w);
+  if (outcome != LogicalPatch::Outcome::on_curve) return outcome;
+  if (curve_has_changed_) return LogicalPatch::Outcome::unknown;  // maybe this one
+  refusal = foresee_curve_removal(mesh_, w, tolerance_, &moved_).refusal;
+  if (refusal != Refusal::done) return LogicalPatch::Outcome::stuck;
+  refusal = Refusal::not_removable;
+  curve_has_changed_ = true;
+  return patch_.remove_on_curve(w, moved_);
+}
+
+/// Why refine would attack a piece that is new or has moved, and had not before.
 const char* RemovalForecast::reason_of(const LogicalPatch::Piece& piece) const {
-  if (is_surely_large(piece)) return "too large";
-  if (goals_.min_angle > 0 &&
-      is_surely_poor(mesh_.point(piece.corners[0]), mesh_.point(piece.corners[1]), mesh_.point(piece.corners[2])))
-    return "too poor";
-  return nullptr;
+  const bool has_moved = patch_.has_moved(piece);
+  if (!piece.is_alive || !(piece.is_new || has_moved)) return nullptr;
+  const Point &a = patch_.place(piece.corners[0]), &b = patch_.place(piece.corners[1]),
+              &c = patch_.place(piece.corners[2]);
+  const char* reason = is_surely_large(piece.face, piece.corners, a, b, c) ? "too large"
+                       : goals_.min_angle > 0 && is_surely_poor(a, b, c)   ? "too poor"
+                                                                           : nullptr;
+  if (reason == nullptr || piece.is_new) return reason;
+  return attack_reason(mesh_, piece.triangle, goals_) ? nullptr : reason;
 }
 
-/// What the mesh around has become in the chain does not matter to the curve.
-bool RemovalForecast::is_held_by_curve(PointId v) const {
-  const Refusal refusal = foresee_curve_removal(mesh_, v, tolerance_).refusal;
-  return refusal == Refusal::corner || refusal == Refusal::not_removable || refusal == Refusal::exceeds_tolerance ||
-         refusal == Refusal::too_curved;
-}
-
-RemovalRefusal RemovalForecast::of_inner(PointId v) {
+RemovalRefusal RemovalForecast::of(PointId v) {
   patch_.start(bounds_area_);
+  curve_has_changed_ = false;
   RemovalRefusal last;
   int removed = 0;
   for (PointId w = v;;) {
-    switch (patch_.remove_inner(w)) {
-      case LogicalPatch::Outcome::unknown:
-        if (w != v && is_held_by_curve(w)) return last;
-        return {};
-      case LogicalPatch::Outcome::stuck:
-        if (w == v) return {describe(Refusal::not_removable)};
-        return last;
-      case LogicalPatch::Outcome::done:
-        break;
+    Refusal refusal = Refusal::done;
+    const LogicalPatch::Outcome outcome = remove(w, refusal);
+    if (outcome == LogicalPatch::Outcome::unknown) return {};
+    if (outcome == LogicalPatch::Outcome::stuck) {
+      if (w == v) return {describe(refusal)};
+      if (refusal == Refusal::edge_exists) return {};
+      return last;
     }
     last = {};
     Culprit first;
     for (const LogicalPatch::Piece& piece : patch_.pieces()) {
-      if (!piece.is_alive || !piece.is_new) continue;
       const char* reason = reason_of(piece);
       if (reason == nullptr) continue;
       last = {reason, true};
-      const Culprit culprit = find_culprit(mesh_, piece.corners, slated_);
+      const std::array<Point, 3> places{patch_.place(piece.corners[0]), patch_.place(piece.corners[1]),
+                                        patch_.place(piece.corners[2])};
+      const Culprit culprit = find_culprit(mesh_, piece.corners, places, slated_);
       if (culprit.vertex == none) return last;
       first = std::min(first, culprit);
     }

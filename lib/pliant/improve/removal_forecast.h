@@ -22,8 +22,8 @@ struct RemovalRefusal {
 /// asks that.
 const char* attack_reason(const Mesh& mesh, TriangleId t, const QualityGoals& goals);
 
-/// The corner that should go so that a triangle which refine would attack does: one that is slated, the origin of the
-/// shortest side first, then its target, then the corner opposite; or none.
+/// The corner, at these places, that should go so that a triangle which refine would attack does: one that is slated,
+/// the origin of the shortest side first, then its target, then the corner opposite; or none.
 struct Culprit {
   PointId vertex = none;
   double side = HUGE_VAL;                             ///< squared length of the shortest side
@@ -34,7 +34,8 @@ struct Culprit {
     return std::tie(a.side, a.triangle) <=> std::tie(b.side, b.triangle);
   }
 };
-Culprit find_culprit(const Mesh& mesh, const std::array<PointId, 3>& corners, const std::vector<bool>& slated);
+Culprit find_culprit(const Mesh& mesh, const std::array<PointId, 3>& corners, const std::array<Point, 3>& places,
+                     const std::vector<bool>& slated);
 
 /// Tries removals on the straight triangles alone.
 ///
@@ -49,25 +50,28 @@ class RemovalForecast {
   RemovalForecast(const Mesh& mesh, const QualityGoals& goals, const CurveTolerance& tolerance,
                   const std::vector<bool>& slated);
 
-  /// Why removing the inner vertex v, and then others that are slated as long as refine would attack what is left, is
-  /// bound to fail; or no reason. A chain that reaches a curve ends there, refused if the curve alone refuses.
+  /// Why removing v, and then others that are slated as long as refine would attack what is left, is bound to fail; or
+  /// no reason. Of several vertices on curves in a chain only the first is foretold.
   ///
   /// Complexity   the sum of the squared degrees of the vertices in the chain
-  RemovalRefusal of_inner(PointId v);
+  RemovalRefusal of(PointId v);
   /// What decided the last answer: the corners of these pieces, and which of them were slated.
   const LogicalPatch& patch() const { return patch_; }
 
  private:
   const char* reason_of(const LogicalPatch::Piece& piece) const;
   bool is_surely_poor(const Point& a, const Point& b, const Point& c) const;
-  bool is_surely_large(const LogicalPatch::Piece& piece) const;
-  bool is_held_by_curve(PointId v) const;
+  bool is_surely_large(FaceId face, const LogicalPatch::Corners& corners, const Point& a, const Point& b,
+                       const Point& c) const;
+  LogicalPatch::Outcome remove(PointId w, Refusal& refusal);
 
   const Mesh& mesh_;
   const QualityGoals& goals_;
   const CurveTolerance& tolerance_;
   const std::vector<bool>& slated_;
   LogicalPatch patch_;
+  std::vector<std::pair<PointId, Point>> moved_;
+  bool curve_has_changed_ = false;
   double least_sine_ = 0;
   bool bounds_area_ = false;
 };

@@ -70,11 +70,33 @@ KnotRemoval plan_removal(const Mesh& mesh, PointId v, const Star& star, const Cu
 
 }  // namespace
 
-CurveRemoval foresee_curve_removal(const Mesh& mesh, PointId v, const CurveTolerance& tolerance) {
+CurveRemoval foresee_curve_removal(const Mesh& mesh, PointId v, const CurveTolerance& tolerance,
+                                   std::vector<std::pair<PointId, Point>>* moved) {
   thread_local Star star;
   find_star(mesh, v, star);
   const KnotRemoval plan = plan_removal(mesh, v, star, tolerance);
-  return {plan.refusal, plan.error};
+  if (plan.refusal != Refusal::done || moved == nullptr) return {plan.refusal, plan.error};
+  moved->clear();
+  thread_local Footprint footprint;
+  find_footprint(mesh, plan.passage, footprint);
+  std::array<Point, max_degree + 1> bezier;
+  const auto note = [&](PointId w, const Point& place) {
+    if (place == mesh.point(w)) return true;
+    moved->emplace_back(w, place);
+    find_star(mesh, w, star);
+    return passage_at(mesh, w, star).curve != none;  // else something else holds on to it
+  };
+  bool may_move = true;
+  const auto note_ends = [&](double start, PointId first, PointId last) {
+    plan.spline.extract(start, {bezier.data(), at(mesh.degree() + 1)});
+    may_move = note(first, bezier[0]) && note(last, bezier[at(mesh.degree())]) && may_move;
+  };
+  note_ends(plan.start, plan.from, plan.to);
+  for (const HalfEdgeId h : footprint.half_edges) {
+    const PointId a = mesh.origin(h), b = mesh.target(h);
+    note_ends(mesh.constraint_start(mesh.constraint(h)), mesh.runs_forward(h) ? a : b, mesh.runs_forward(h) ? b : a);
+  }
+  return {may_move ? Refusal::done : Refusal::corner, plan.error};
 }
 
 CurveRemoval remove_curve_vertex(Mesh& mesh, PointId v, const CurveTolerance& tolerance, const RefitOptions& options) {

@@ -1,5 +1,7 @@
 #pragma once  // lib/pliant/ops/remove_point.h: a vertex of degree three, and splits undone (paper §5.2.2)
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include "pliant/mesh/mesh.h"
 #include "pliant/ops/outcome.h"
@@ -28,9 +30,11 @@ struct CurveTolerance {
   bool keep_area = false;         ///< control points near the knot take up the change of the area that the curve sweeps
   double max_turning = HUGE_VAL;  ///< of the edge that is left (radians)
 };
-/// What the curve alone says about the removal of a vertex: a corner, its minimum of spans, the error against its bounds,
-/// the turning of the edge that would be left. `done` where nothing of that refuses. The mesh is not touched.
-CurveRemoval foresee_curve_removal(const Mesh& mesh, PointId v, const CurveTolerance& tolerance);
+/// What the curve alone says about the removal of a vertex: a corner, its minimum of spans, the error against its
+/// bounds, the turning of the edge that would be left. `done` where nothing of that refuses. The mesh is not touched.
+/// `moved`, if given, receives the other vertices of the curve that would move, and where to.
+CurveRemoval foresee_curve_removal(const Mesh& mesh, PointId v, const CurveTolerance& tolerance,
+                                   std::vector<std::pair<PointId, Point>>* moved = nullptr);
 
 /// Removes a vertex in the interior of a curve: knot removal with its footprint, 4→2 or 2→1 after the ears. Refused
 /// when an error would exceed its bound.
