@@ -68,7 +68,7 @@ bool RemovalForecast::is_surely_poor(const Point& a, const Point& b, const Point
 /// their chords, which no flip makes larger; a curve that loses a knot may.
 bool RemovalForecast::is_surely_large(FaceId face, const LogicalPatch::Corners& corners, const Point& a, const Point& b,
                                       const Point& c) const {
-  if (bounds_area_ && !curve_has_changed_) {
+  if (bounds_area_ && foreseen_.curves.empty()) {
     const double around = distance(a, b) + distance(b, c) + distance(c, a);
     const double least = cross(b - a, c - a) / 2 - 1.5 * patch_.bend() * around;
     if (least > (1 + slack) * goals_.area_bound(face)) return true;
@@ -90,12 +90,10 @@ LogicalPatch::Outcome RemovalForecast::remove(PointId w, Refusal& refusal) {
   refusal = Refusal::not_removable;
   const LogicalPatch::Outcome outcome = patch_.remove_inner(w);
   if (outcome != LogicalPatch::Outcome::on_curve) return outcome;
-  if (curve_has_changed_) return LogicalPatch::Outcome::unknown;  // maybe this one
-  refusal = foresee_curve_removal(mesh_, w, tolerance_, &moved_).refusal;
+  refusal = foresee_curve_removal(mesh_, w, tolerance_, &foreseen_).refusal;
   if (refusal != Refusal::done) return LogicalPatch::Outcome::stuck;
   refusal = Refusal::not_removable;
-  curve_has_changed_ = true;
-  return patch_.remove_on_curve(w, moved_);
+  return patch_.remove_on_curve(w, foreseen_.moved);
 }
 
 /// Why refine would attack a piece that is new or has moved, and had not before.
@@ -113,7 +111,7 @@ const char* RemovalForecast::reason_of(const LogicalPatch::Piece& piece) const {
 
 RemovalRefusal RemovalForecast::of(PointId v) {
   patch_.start(bounds_area_);
-  curve_has_changed_ = false;
+  foreseen_.clear();
   RemovalRefusal last;
   int removed = 0;
   for (PointId w = v;;) {

@@ -51,7 +51,7 @@ class RemovalForecast {
                   const std::vector<bool>& slated);
 
   /// Why removing v, and then others that are slated as long as refine would attack what is left, is bound to fail; or
-  /// no reason. Of several vertices on curves in a chain only the first is foretold.
+  /// no reason.
   ///
   /// Complexity   the sum of the squared degrees of the vertices in the chain
   RemovalRefusal of(PointId v);
@@ -70,8 +70,7 @@ class RemovalForecast {
   const CurveTolerance& tolerance_;
   const std::vector<bool>& slated_;
   LogicalPatch patch_;
-  std::vector<std::pair<PointId, Point>> moved_;
-  bool curve_has_changed_ = false;
+  ForeseenCurves foreseen_;
   double least_sine_ = 0;
   bool bounds_area_ = false;
 };

@@ -50,12 +50,12 @@ Passage passage_at(const Mesh& mesh, PointId v, const Star& star) {
   return passage;
 }
 
-void find_footprint(const Mesh& mesh, const Passage& passage, Footprint& footprint) {
+void find_footprint(const Mesh& mesh, const Passage& passage, Footprint& footprint, int more) {
   footprint = {};
   std::vector<ConstraintId> seen{mesh.constraint(passage.before), mesh.constraint(passage.after)};
   for (const bool forward : {false, true}) {
     HalfEdgeId h = forward ? passage.after : passage.before;
-    for (int k = 1; k <= mesh.degree(); ++k) {
+    for (int k = 1; k <= mesh.degree() + more; ++k) {
       h = step_along(mesh, h, forward);
       if (h == none || std::find(seen.begin(), seen.end(), mesh.constraint(h)) != seen.end()) break;
       seen.push_back(mesh.constraint(h));

@@ -29,7 +29,9 @@ struct KnotRemoval {
   double start = 0;          ///< where it starts
 };
 
-KnotRemoval plan_removal(const Mesh& mesh, PointId v, const Star& star, const CurveTolerance& tolerance) {
+/// `changed`: the curve after removals before this one; none: as it is in the mesh.
+KnotRemoval plan_removal(const Mesh& mesh, PointId v, const Star& star, const CurveTolerance& tolerance,
+                         ForeseenCurves* foreseen = nullptr) {
   KnotRemoval plan;
   plan.passage = passage_at(mesh, v, star);
   const auto refused = [&plan](Refusal refusal) {
@@ -37,25 +39,28 @@ KnotRemoval plan_removal(const Mesh& mesh, PointId v, const Star& star, const Cu
     return plan;
   };
   if (plan.passage.curve == none) return refused(Refusal::corner);  // or pinched, or on no curve
+  const ForeseenCurves::Changed* changed = foreseen ? foreseen->find(plan.passage.curve) : nullptr;
   const Curve& curve = mesh.boundary().curves[at(plan.passage.curve)];
+  const BSpline& spline = changed ? changed->spline : curve.spline;
+  const double error_before = changed ? changed->removal_error : curve.removal_error;
   const ConstraintId kept = mesh.constraint(plan.passage.before), dropped = mesh.constraint(plan.passage.after);
   const double knot = mesh.constraint_start(dropped);
-  plan.start = mesh.constraint_start(kept);
-  if (curve.spline.closed() ? curve.spline.span_count() <= 3 : knot <= curve.spline.first_parameter())
+  if (spline.closed() ? spline.span_count() <= 3 : knot <= spline.first_parameter())
     return refused(Refusal::not_removable);
+  plan.start = changed ? spline.span_before(knot) : mesh.constraint_start(kept);
   const auto is_tolerable = [&] {
-    return curve.removal_error + plan.error <= tolerance.total && plan.error <= tolerance.step;
+    return error_before + plan.error <= tolerance.total && plan.error <= tolerance.step;
   };
   // The first of a knot's copies costs no more than all of them; it tells without a copy of the curve.
-  const std::optional<double> least = curve.spline.removal_error(knot);
+  const std::optional<double> least = spline.removal_error(knot);
   if (!least) return refused(Refusal::not_removable);
   plan.error = *least;
   if (!is_tolerable()) return refused(Refusal::exceeds_tolerance);
-  plan.spline = curve.spline;
+  plan.spline = spline;
   const std::optional<double> error = plan.spline.remove_break(knot);
   if (!error) return refused(Refusal::not_removable);
   plan.error = *error;
-  if (is_tolerable() && tolerance.keep_area) plan.error = restore_area(curve.spline, plan.spline, knot);
+  if (is_tolerable() && tolerance.keep_area) plan.error = restore_area(spline, plan.spline, knot);
   if (!is_tolerable()) return refused(Refusal::exceeds_tolerance);
   std::array<Point, max_degree + 1> merged_polygon;
   const std::span<Point> long_span{merged_polygon.data(), at(mesh.degree() + 1)};
@@ -63,7 +68,8 @@ KnotRemoval plan_removal(const Mesh& mesh, PointId v, const Star& star, const Cu
   if (turning_angle(long_span) > tolerance.max_turning) return refused(Refusal::too_curved);
   plan.from = mesh.constraint_first(kept);
   plan.to = mesh.origin(plan.passage.after) == v ? mesh.target(plan.passage.after) : mesh.origin(plan.passage.after);
-  if (find_half_edge(mesh, plan.from, plan.to) != none || find_half_edge(mesh, plan.to, plan.from) != none)
+  if (!changed &&
+      (find_half_edge(mesh, plan.from, plan.to) != none || find_half_edge(mesh, plan.to, plan.from) != none))
     return refused(Refusal::edge_exists);
   return plan;
 }
@@ -71,32 +77,43 @@ KnotRemoval plan_removal(const Mesh& mesh, PointId v, const Star& star, const Cu
 }  // namespace
 
 CurveRemoval foresee_curve_removal(const Mesh& mesh, PointId v, const CurveTolerance& tolerance,
-                                   std::vector<std::pair<PointId, Point>>* moved) {
+                                   ForeseenCurves* foreseen) {
   thread_local Star star;
   find_star(mesh, v, star);
-  const KnotRemoval plan = plan_removal(mesh, v, star, tolerance);
-  if (plan.refusal != Refusal::done || moved == nullptr) return {plan.refusal, plan.error};
-  moved->clear();
-  thread_local Footprint footprint;
-  find_footprint(mesh, plan.passage, footprint);
-  std::array<Point, max_degree + 1> bezier;
-  const auto note = [&](PointId w, const Point& place) {
-    if (place == mesh.point(w)) return true;
-    moved->emplace_back(w, place);
-    find_star(mesh, w, star);
-    return passage_at(mesh, w, star).curve != none;  // else something else holds on to it
-  };
-  bool may_move = true;
-  const auto note_ends = [&](double start, PointId first, PointId last) {
-    plan.spline.extract(start, {bezier.data(), at(mesh.degree() + 1)});
-    may_move = note(first, bezier[0]) && note(last, bezier[at(mesh.degree())]) && may_move;
-  };
-  note_ends(plan.start, plan.from, plan.to);
-  for (const HalfEdgeId h : footprint.half_edges) {
-    const PointId a = mesh.origin(h), b = mesh.target(h);
-    note_ends(mesh.constraint_start(mesh.constraint(h)), mesh.runs_forward(h) ? a : b, mesh.runs_forward(h) ? b : a);
+  KnotRemoval plan = plan_removal(mesh, v, star, tolerance, foreseen);
+  if (plan.refusal != Refusal::done || foreseen == nullptr) return {plan.refusal, plan.error};
+  const CurveId c = plan.passage.curve;
+  ForeseenCurves::Changed* changed = foreseen->find(c);
+  if (changed == nullptr) {
+    foreseen->curves.push_back({c, {}, mesh.boundary().curves[at(c)].removal_error, 0});
+    changed = &foreseen->curves.back();
   }
-  return {may_move ? Refusal::done : Refusal::corner, plan.error};
+  changed->spline = std::move(plan.spline);
+  changed->removal_error += plan.error;
+
+  // Where the vertices near by will be. Those that have gone before have no knot any more.
+  thread_local Footprint footprint;
+  find_footprint(mesh, plan.passage, footprint, changed->removals++);
+  footprint.half_edges.insert(footprint.half_edges.end(), {plan.passage.before, plan.passage.after});
+  std::array<Point, max_degree + 1> bezier;
+  for (const HalfEdgeId h : footprint.half_edges) {
+    const ConstraintId constraint = mesh.constraint(h);
+    const double knot = mesh.constraint_start(constraint);
+    const PointId w = mesh.constraint_first(constraint);
+    const BSpline& spline = changed->spline;
+    if (spline.multiplicity(knot) == 0 || (!spline.closed() && knot <= spline.first_parameter())) continue;
+    spline.extract(knot, {bezier.data(), at(mesh.degree() + 1)});
+    const auto known =
+        std::find_if(foreseen->moved.begin(), foreseen->moved.end(), [w](const auto& each) { return each.first == w; });
+    if (known != foreseen->moved.end()) {
+      known->second = bezier[0];
+    } else if (bezier[0] != mesh.point(w)) {
+      foreseen->moved.emplace_back(w, bezier[0]);
+      find_star(mesh, w, star);
+      if (passage_at(mesh, w, star).curve == none) return {Refusal::corner, plan.error};  // something holds on to it
+    }
+  }
+  return {Refusal::done, plan.error};
 }
 
 CurveRemoval remove_curve_vertex(Mesh& mesh, PointId v, const CurveTolerance& tolerance, const RefitOptions& options) {

@@ -30,11 +30,32 @@ struct CurveTolerance {
   bool keep_area = false;         ///< control points near the knot take up the change of the area that the curve sweeps
   double max_turning = HUGE_VAL;  ///< of the edge that is left (radians)
 };
+/// Curves as removals that were only foreseen would leave them.
+struct ForeseenCurves {
+  struct Changed {
+    CurveId curve;
+    BSpline spline;
+    double removal_error;
+    int removals;
+  };
+  std::vector<Changed> curves;
+  std::vector<std::pair<PointId, Point>> moved;  ///< vertices, and where they would be
+
+  void clear() {
+    curves.clear();
+    moved.clear();
+  }
+  Changed* find(CurveId c) {
+    for (Changed& each : curves)
+      if (each.curve == c) return &each;
+    return nullptr;
+  }
+};
 /// What the curve alone says about the removal of a vertex: a corner, its minimum of spans, the error against its
 /// bounds, the turning of the edge that would be left. `done` where nothing of that refuses. The mesh is not touched.
-/// `moved`, if given, receives the other vertices of the curve that would move, and where to.
+/// `foreseen`, if given, tells of removals before this one, and then of this one, too.
 CurveRemoval foresee_curve_removal(const Mesh& mesh, PointId v, const CurveTolerance& tolerance,
-                                   std::vector<std::pair<PointId, Point>>* moved = nullptr);
+                                   ForeseenCurves* foreseen = nullptr);
 
 /// Removes a vertex in the interior of a curve: knot removal with its footprint, 4→2 or 2→1 after the ears. Refused
 /// when an error would exceed its bound.
