@@ -7,17 +7,27 @@
 #include "pliant/geometry/linear_triangle.h"
 #include "pliant/improve/refine.h"
 #include "pliant/improve/removal_forecast.h"
+#include "pliant/improve/triangle_budget.h"
 
 namespace pliant {
 namespace {
 
-/// True if refine inserted something.
-bool refine_copy(Mesh& mesh, const QualityGoals& goals) {
+constexpr long many = 1000;  // insertions: refine has much to do anyway, so nobody waits for it to come to rest
+
+enum class Refined { nothing, some, much, too_much };
+
+Refined refine_copy(Mesh& mesh, const QualityGoals& goals) {
   RefineOptions options;
   options.goals = goals;
+  options.max_insertions = many;
   const int before = mesh.triangle_count();
-  refine(mesh, options);
-  return mesh.triangle_count() != before;
+  try {
+    refine(mesh, options);
+  } catch (const TooManyTriangles&) {
+    return Refined::too_much;  // the mesh is of no use
+  }
+  const long more = mesh.triangle_count() - before;
+  return more == 0 ? Refined::nothing : more < many ? Refined::some : Refined::much;
 }
 
 std::set<std::array<double, 2>> vertices_of(const Mesh& mesh) {
@@ -59,8 +69,10 @@ void LeftByRefine::find_left() {
   if (is_known_) return;
   is_known_ = true;
   Mesh refined = before_;
-  is_settled_ = !refine_copy(refined, goals_);
-  left_ = is_settled_ ? attacked_ : triangles_of(refined, attacked_);
+  const Refined done = refine_copy(refined, goals_);
+  is_settled_ = done == Refined::nothing;
+  if (done == Refined::nothing) left_ = attacked_;
+  if (done == Refined::some) left_ = triangles_of(refined, attacked_);
 }
 
 std::vector<LeftByRefine::Awakened> LeftByRefine::awakened_in(const Mesh& after) {
@@ -68,7 +80,8 @@ std::vector<LeftByRefine::Awakened> LeftByRefine::awakened_in(const Mesh& after)
   std::vector<Awakened> awakened;
   if (left_.empty()) return awakened;
   Mesh refined = after;
-  if (!refine_copy(refined, goals_)) return awakened;
+  if (const Refined done = refine_copy(refined, goals_); done == Refined::nothing || done == Refined::too_much)
+    return awakened;
   const std::set<Corners> still_there = triangles_of(refined, left_);
   for (const Corners& corners : triangles_of(after, left_)) {
     if (still_there.contains(corners)) continue;
