@@ -26,9 +26,8 @@ struct CoarsenOptions {
 /// Most refusals are foretold (removal_forecast.h), or remembered from the round before.
 ///
 /// Complexity   a round: 0.5 µs a triangle to choose, about 1 µs for each vertex tried, 10 to 20 µs for each removed;
-/// at
-///              most a round for every vertex in 1,000 triangles removed, and one more. Where refine would attack
-///              elements that are left, refine's on a copy, too
+///              another follows where one has removed more than a vertex in 1,000 triangles, or in small meshes any.
+///              Where elements are left that refine would attack: refine's on a copy, too
 ///
 /// With bounds on size some (4/sqrt(3)) times the integral of 1/length² triangles are
 /// left.
