@@ -3,6 +3,8 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <cstdlib>
+#include <fstream>
+#include <iterator>
 #include <numbers>
 #include <random>
 
@@ -89,6 +91,26 @@ void check_rest(int first, int last) {
 }
 
 }  // namespace
+
+TEST_CASE("vertices stay whose removal would let refine succeed on what it had left", "[improve]") {
+  // Three removals and three insertions, again and again: two triangles that refine leaves are near the vertices.
+  std::ifstream file(PLIANT_SAMPLES "/../tests/improve/chase.json");
+  REQUIRE(file);
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  RandomCase chase;
+  chase.mesh = Mesh(read_mesh(text));
+  QualityGoals goals = goals_of(chase.mesh, [](const Point& p, double) { return 0.4203 + 0.2 * std::fabs(p.x - 0.3); });
+  chase.coarse.goals = chase.fine.goals = goals;
+  chase.coarse.tolerance = 1e-3 * chase.mesh.size();
+  chase.coarse.step_tolerance = 0.1 * chase.coarse.tolerance;
+  refine(chase.mesh, chase.fine);
+  CHECK(value_of(refine(chase.mesh, chase.fine), "insertions") == 0);
+  for (int round = 0; round < 2; ++round) {
+    coarsen(chase.mesh, chase.coarse);
+    CHECK(value_of(refine(chase.mesh, chase.fine), "insertions") == 0);
+  }
+  CHECK(three_rounds(chase)[2] == std::array<long, 2>{0, 0});
+}
 
 TEST_CASE("coarsen and refine come to rest: the third round does nothing", "[improve][property]") { check_rest(0, 60); }
 
