@@ -89,7 +89,8 @@ CurveRemoval RemovalChain::remove_one(PointId v, bool is_on_curve) {
   }
   note_corners(changed_);
   for (const TriangleId t : changed_) {
-    worst_before_ = std::min(worst_before_, shape_of(t));
+    if (!std::binary_search(around_.begin(), around_.end(), t))  // not what the chain itself has made
+      worst_before_ = std::min(worst_before_, shape_of(t));
     if (chained_.empty() && attack_reason(mesh_, t, limits_.goals)) attacked_.push_back(corners_of(t));
   }
   CurveRemoval removal;
