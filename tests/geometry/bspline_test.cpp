@@ -134,7 +134,9 @@ TEST_CASE("removal undoes insertion to rounding, knots exactly", "[geometry][pro
     if (curve.multiplicity(t) == degree) continue;
     BSpline changed = curve;
     changed.insert_knot(t);
+    const auto foreseen = changed.removal_error(t);
     const auto error = changed.remove_knot(t);
+    CHECK(foreseen == error);
     REQUIRE(error);
     CHECK(*error < 1e-14);
     REQUIRE(changed.knots() == curve.knots());

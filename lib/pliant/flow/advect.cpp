@@ -103,6 +103,8 @@ void take(Mesh& mesh, Trial trial, double dt) {
     mesh.set_boundary_motion(static_cast<CurveId>(c), std::move(trial.boundary.splines[c]));
   for (std::size_t v = 0; v < trial.boundary.vertices.size(); ++v)
     mesh.set_boundary_vertex(static_cast<int>(v), trial.boundary.vertices[v]);
+  for (const LoneVertex& each : mesh.lone_vertices())  // they go where the mesh goes
+    if (each.point != none) mesh.set_boundary_vertex(each.vertex, mesh.point(each.point));
   mesh.time += dt;
 }
 

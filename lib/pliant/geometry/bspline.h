@@ -91,6 +91,8 @@ class BSpline {
   /// curve loses its last knot, the next break becomes the first one (the period stays).
   /// Complexity O(degree^2), and what an erasure from a Sequence costs
   std::optional<double> remove_knot(double t, Edits* edits = nullptr);
+  /// The error that remove_knot(t) would return, curve unchanged.   Complexity O(degree^2 + log knots), no allocation
+  std::optional<double> removal_error(double t) const;
   /// Removes break t altogether (all its multiplicity); the bound is the sum. Refuses as above, curve unchanged.
   std::optional<double> remove_break(double t, Edits* edits = nullptr);
 
@@ -114,6 +116,13 @@ class BSpline {
   void insert_point(int i, Edits* edits);
   void erase_point(int i, Edits* edits);
   void erase_knot(int i, Edits* edits);
+  struct KnotRemoval {
+    int knot, multiplicity, first, count;  ///< index of the knot; its copies; of the first new control point; how many
+    std::array<Point, max_curve_degree + 1> points;  ///< those that will be there
+    double error;
+  };
+  /// A removal of t; empty where remove_knot refuses.
+  std::optional<KnotRemoval> plan_removal(double& t) const;
   /// Control point i, periodically continued on a closed curve.
   const Point& point(int i) const;
   /// Greville abscissa i, on a closed curve not reduced to the period: between knots i + 1 and i + degree.

@@ -148,7 +148,7 @@ void BSpline::insert_knot(double t, Edits* edits) {
   knots_.insert(static_cast<std::size_t>(k) + 1, t);
 }
 
-std::optional<double> BSpline::remove_knot(double t, Edits* edits) {
+std::optional<BSpline::KnotRemoval> BSpline::plan_removal(double& t) const {
   const int p = degree_, m = static_cast<int>(points_.size());
   if (closed_ && t == last_parameter()) t = first_parameter();
   const int s = multiplicity(t);
@@ -158,7 +158,8 @@ std::optional<double> BSpline::remove_knot(double t, Edits* edits) {
   // d_i = (1 - alpha_i) x_{i-1} + alpha_i x_i, i = r - p .. r - s, where x_{r-p-1} and x_{r-s} stay as they are.
   const int from = r - p, n = p - s;
   std::array<double, max_curve_degree + 1> alpha;
-  std::array<Point, max_curve_degree + 1> x;
+  KnotRemoval plan{r, s, from, n, {}, 0};
+  auto& x = plan.points;
   for (int q = 0; q <= n; ++q) {
     const int i = from + q;
     alpha[static_cast<std::size_t>(q)] = (t - knot(i)) / (knot(i + p + 1) - knot(i));
@@ -169,14 +170,26 @@ std::optional<double> BSpline::remove_knot(double t, Edits* edits) {
   x[0] -= (1 - alpha[0]) * before;
   x[last] -= alpha[last] * after;
   solve_bidiagonal(n, alpha, x);
-  double error = 0;
   for (int q = 0; q <= n; ++q) {
     const auto at = static_cast<std::size_t>(q);
     const Point& left = q == 0 ? before : x[at - 1];
     const Point& right = q == n ? after : x[at];
-    error = std::max(error, distance(point(from + q), (1 - alpha[at]) * left + alpha[at] * right));
+    plan.error = std::max(plan.error, distance(point(from + q), (1 - alpha[at]) * left + alpha[at] * right));
   }
+  return plan;
+}
 
+std::optional<double> BSpline::removal_error(double t) const {
+  const std::optional<KnotRemoval> plan = plan_removal(t);
+  if (!plan) return std::nullopt;
+  return plan->error;
+}
+
+std::optional<double> BSpline::remove_knot(double t, Edits* edits) {
+  const std::optional<KnotRemoval> plan = plan_removal(t);
+  if (!plan) return std::nullopt;
+  const auto& [r, s, from, n, x, error] = *plan;
+  const int p = degree_, m = static_cast<int>(points_.size());
   const bool seam_goes = closed_ && r == 0 && s == 1;
   const int origin = closed_ && r == 0 && s > 1 ? -1 : 0;  // u_origin is the first knot
   if (from >= 0 && origin == 0) {

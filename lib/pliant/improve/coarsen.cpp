@@ -4,61 +4,79 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <map>
 #include <string>
 #include <utility>
 
 #include "pliant/improve/independent_set.h"
-#include "pliant/improve/legalize.h"
+#include "pliant/improve/left_by_refine.h"
 #include "pliant/improve/local_feature_size.h"
-#include "pliant/improve/refine.h"
+#include "pliant/improve/removal_chain.h"
 #include "pliant/mesh/hilbert_order.h"
-#include "pliant/mesh/star.h"
-#include "pliant/ops/remove_point.h"
-#include "pliant/quality/element_quality.h"
 
 namespace pliant {
 namespace {
 
-constexpr double gradation = 0.7;     // Lipschitz bound of the wanted length
-constexpr double least_shape = 0.25;  // a removal must not leave curved elements worse than this and than before
-constexpr double growth = 1.8;        // of lengths in a round
-constexpr int most_chained = 12;      // removals that may mend each other's elements
-constexpr int most_rounds = 40;       // of choosing what stays
+constexpr double gradation = 0.7;  // Lipschitz bound of the wanted length
+constexpr double growth = 1.8;     // of lengths in a round
+constexpr int most_rounds = 40;    // of choosing what stays
+constexpr int most_attempts = 5;   // to find what must stay so that refine leaves what it left
+constexpr long worthwhile = 1000;  // a round is worth another if it removed one vertex in so many triangles
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-void sort_unique(std::vector<TriangleId>& list) {
-  std::sort(list.begin(), list.end());
-  list.erase(std::unique(list.begin(), list.end()), list.end());
-}
-
 class Coarsener {
  public:
-  Coarsener(Mesh& mesh, const CoarsenOptions& options) : mesh_(mesh), options_(options) {}
+  /// `frozen`: by point slot, what stays whatever happens.
+  Coarsener(Mesh& mesh, const CoarsenOptions& options, const std::vector<bool>& frozen)
+      : mesh_(mesh),
+        options_(options),
+        frozen_(frozen),
+        limits_{options.goals,
+                {options.tolerance, options.step_tolerance, options.keep_area, options.goals.max_turning},
+                options.refit,
+                accepted_shape(options.goals),
+                options.uses_forecast},
+        chain_(mesh, limits_, slated_),
+        changed_(at(mesh.point_slots()), 0) {
+    for (std::vector<Memory>& each : memories_) each.resize(at(mesh.point_slots()));
+  }
 
   PassReport run() {
+    bool is_afresh = true;  // nothing stuck from a round before: what a new run would do first
     for (int round = 0; round < most_rounds; ++round) {
-      const long before = inner_removals_ + curve_removals_;
+      const long before = removals();
+      parity_ = is_afresh ? 0 : 1 - parity_;
       choose();
       remove_slated();
-      if (inner_removals_ + curve_removals_ == before) break;
+      const long removed = removals() - before;
+      if (removed > 0) {
+        is_afresh = false;
+        if (removed * worthwhile < mesh_.triangle_count()) break;
+      } else {
+        if (is_afresh) break;
+        is_afresh = true;
+        stuck_.clear();
+      }
     }
     PassReport report = make_report();
     mesh_.compact();
     return report;
   }
 
- private:
-  using Corners = std::array<PointId, 3>;
+  /// In the numbers that the mesh had at first.
+  const std::vector<PointId>& removed() const { return removed_; }
 
+ private:
   /// What stays. What could not go in the last round comes first: on curves it is part of the geometry by now, inside
   /// it may let others go.
   void choose() {
     const std::vector<CurveChain> chains = curve_chains(mesh_);
     roles_ = vertex_roles(mesh_, chains, options_.polygon_tolerance);
+    for (PointId v = 0; v < mesh_.point_slots(); ++v)
+      if (frozen_[at(v)]) roles_[at(v)] = VertexRole::kept;
     std::vector<PointId> stuck;
-    for (const auto& [v, reason] : refused_) {
+    for (const PointId v : stuck_) {
+      if (!mesh_.is_vertex(v)) continue;
       if (roles_[at(v)] == VertexRole::curve) roles_[at(v)] = VertexRole::kept;
       if (roles_[at(v)] == VertexRole::inner) stuck.push_back(v);
     }
@@ -69,8 +87,9 @@ class Coarsener {
       for (std::size_t k = 0; k < bounds.size(); ++k)
         bounds[k] = std::min(bounds[k], options_.feature_share * features[k]);
     }
-    const std::vector<double> spacing = wanted_spacing(mesh_, chains, roles_, options_.goals, bounds, gradation);
-    const std::vector<bool> chosen = independent_set(mesh_, chains, roles_, spacing, stuck, options_.factor);
+    const VertexGraph graph(mesh_);
+    const std::vector<double> spacing = wanted_spacing(mesh_, graph, chains, roles_, options_.goals, bounds, gradation);
+    const std::vector<bool> chosen = independent_set(mesh_, graph, chains, roles_, spacing, stuck, options_.factor);
     slated_.assign(chosen.size(), false);
     for (PointId v = 0; v < mesh_.point_slots(); ++v) slated_[at(v)] = mesh_.is_vertex(v) && !chosen[at(v)];
   }
@@ -79,6 +98,7 @@ class Coarsener {
     std::vector<double> longest(at(mesh_.point_slots()), 0);
     for (HalfEdgeId h = 0; h < 3 * mesh_.triangle_slots(); ++h) {
       if (!mesh_.is_alive(triangle_of(h))) continue;
+      if (mesh_.twin(h) > h) continue;  // each edge once
       const double length = edge_length(h);
       for (const PointId v : {mesh_.origin(h), mesh_.target(h)}) longest[at(v)] = std::max(longest[at(v)], length);
     }
@@ -99,8 +119,12 @@ class Coarsener {
       }
       std::swap(queue, waiting_);
     }
-    std::erase_if(refused_, [this](const auto& entry) { return !mesh_.is_vertex(entry.first); });
+    std::erase_if(refused_, [this](PointId v) { return !mesh_.is_vertex(v); });
+    std::sort(refused_.begin(), refused_.end());
+    refused_.erase(std::unique(refused_.begin(), refused_.end()), refused_.end());
+    stuck_ = refused_;
   }
+  long removals() const { return static_cast<long>(removed_.size()); }
 
   /// Along Hilbert's curve, which keeps the work in one place of the memory.
   std::vector<PointId> slated_in_order() const {
@@ -114,142 +138,55 @@ class Coarsener {
     return slated;
   }
 
-  /// Removes v, and then others that are slated as long as elements are left that refine would attack.
   void remove(PointId v) {
-    Transaction transaction(mesh_);
-    chained_.clear();
-    around_.clear();
-    attacked_.clear();
-    worst_before_ = 1;
-    double error = 0, integral_change = 0;
-    std::string refusal;
-    for (PointId w = v; w != none;) {
-      const CurveRemoval removal = remove_one(w);
-      if (removal.refusal != Refusal::done && w == v) refusal = describe(removal.refusal);
-      if (removal.refusal != Refusal::done) break;
-      chained_.push_back(w);
-      error = std::max(error, removal.error);
-      integral_change = std::max(integral_change, removal.integral_change);
-      const char* reason = nullptr;
-      w = find_culprit(reason);
-      refusal = reason ? std::string("would be refined again: ") + reason : "";
-      if (chained_.size() == most_chained) break;
-    }
-    if (refusal.empty() && is_misshapen()) refusal = "would be misshapen";
-    if (!refusal.empty()) {
-      refused_[v] = refusal;
+    if (remembers(v)) {
+      refused_.push_back(v);
       return;
     }
-    transaction.commit();
-    for (const PointId gone : chained_) ++(roles_[at(gone)] == VertexRole::inner ? inner_removals_ : curve_removals_);
-    largest_error_ = std::max(largest_error_, error);
-    integral_change_ = std::max(integral_change_, integral_change);
-    wake_around();
-  }
-
-  CurveRemoval remove_one(PointId v) {
-    find_star(mesh_, v, star_);
-    link_.clear();
-    for (const HalfEdgeId h : star_.outgoing) link_.push_back(mesh_.target(h));
-    if (!star_.is_closed) link_.push_back(mesh_.apex(star_.outgoing.back()));  // a pinched vertex is not removed
-    const bool on_curve = roles_[at(v)] != VertexRole::inner;
-    changed_.clear();
-    if (on_curve) {
-      add_curve_neighbors(v);
-      look_around();
-    } else {
-      for (const HalfEdgeId h : star_.outgoing) changed_.push_back(triangle_of(h));
+    const RemovalRefusal refusal = chain_.remove(v, roles_[at(v)] != VertexRole::inner);
+    if (refusal.reason != nullptr) {
+      remember(v, refusal);
+      refused_.push_back(v);
+      return;
     }
-    for (const TriangleId t : changed_) {
-      worst_before_ = std::min(worst_before_, shape_of(t));
-      if (chained_.empty() && refine_reason(mesh_, t, options_.goals)) attacked_.push_back(corners_of(t));
-    }
-    CurveRemoval removal;
-    if (on_curve)
-      removal = remove_curve_vertex(
-          mesh_, v, {options_.tolerance, options_.step_tolerance, options_.keep_area, options_.goals.max_turning},
-          options_.refit);
-    else
-      removal.refusal = remove_inner_vertex(mesh_, v, options_.refit);
-    if (removal.refusal != Refusal::done) return removal;
-    on_curve ? look_around() : look_inside();
-    for (const TriangleId t : changed_)  // flips that the hole's edges now want
-      for (int e = 0; e < 3; ++e)
-        if (wants_flip(edge_state(mesh_, half_edge(t, e)))) stack_.push_back(half_edge(t, e));
-    around_.insert(around_.end(), changed_.begin(), changed_.end());
-    legalize(mesh_, stack_, options_.refit, counts_, -1, &around_);
-    sort_unique(around_);
-    return removal;
+    ++clock_;
+    for (const PointId gone : chain_.removed())
+      ++(roles_[at(gone)] == VertexRole::inner ? inner_removals_ : curve_removals_);
+    removed_.insert(removed_.end(), chain_.removed().begin(), chain_.removed().end());
+    largest_error_ = std::max(largest_error_, chain_.error());
+    integral_change_ = std::max(integral_change_, chain_.integral_change());
+    note_changes();
   }
 
-  /// The triangles at the link of what is removed.
-  void look_around() {
-    changed_.clear();
-    for (const PointId w : link_) {
-      find_star(mesh_, w, star_);
-      for (const HalfEdgeId h : star_.outgoing) changed_.push_back(triangle_of(h));
-    }
-    sort_unique(changed_);
+  /// A removal that was refused would be refused again as long as what decided it has not changed.
+  void remember(PointId v, const RemovalRefusal& refusal) {
+    Memory& memory = memories_[at(parity_)][at(v)];
+    memory.refusal = refusal;
+    memory.when = clock_;
+    memory.decided_by.clear();
+    std::vector<PointId>& by = decided_by_;
+    by.assign(chain_.decided_by().begin(), chain_.decided_by().end());
+    std::sort(by.begin(), by.end());
+    by.erase(std::unique(by.begin(), by.end()), by.end());
+    for (const PointId w : by) memory.decided_by.push_back(2 * w + (slated_[at(w)] ? 1 : 0));
+  }
+  bool remembers(PointId v) const {
+    const Memory& memory = memories_[at(parity_)][at(v)];
+    return memory.refusal.reason != nullptr &&
+           std::all_of(memory.decided_by.begin(), memory.decided_by.end(), [&](PointId noted) {
+             const PointId w = noted / 2;
+             return changed_[at(w)] <= memory.when && slated_[at(w)] == (noted % 2 != 0);
+           });
   }
 
-  /// Those of them that lie in the hole, all corners on the link.
-  void look_inside() {
-    look_around();
-    const auto is_outside = [this](PointId v) { return std::find(link_.begin(), link_.end(), v) == link_.end(); };
-    std::erase_if(changed_, [&](TriangleId t) {
-      return is_outside(mesh_.corner(t, 0)) || is_outside(mesh_.corner(t, 1)) || is_outside(mesh_.corner(t, 2));
-    });
-  }
-
-  /// Knot removal moves vertices along its curve, too: up to `degree` spans away.
-  void add_curve_neighbors(PointId v) {
-    chain_.assign(1, v);
-    std::size_t first = 0;
-    for (int k = 0; k < mesh_.degree(); ++k)
-      for (const std::size_t last = chain_.size(); first < last; ++first) {
-        const PointId w = chain_[first];
-        find_star(mesh_, w, star_);
-        for (const HalfEdgeId h : star_.outgoing)
-          for (const HalfEdgeId side : {h, previous(h)}) {
-            const PointId next = mesh_.origin(side) == w ? mesh_.target(side) : mesh_.origin(side);
-            if (mesh_.is_constrained(side) && std::find(chain_.begin(), chain_.end(), next) == chain_.end())
-              chain_.push_back(next);
-          }
-      }
-    link_.insert(link_.end(), chain_.begin() + 1, chain_.end());
-  }
-
-  /// Of an element that refine would attack, and would not have before, a slated vertex whose removal may mend it; or
-  /// none. `reason` is why it would be attacked, null if none is.
-  PointId find_culprit(const char*& reason) {
-    PointId culprit = none;
-    for (const TriangleId t : around_) {
-      if (!mesh_.is_alive(t)) continue;
-      const char* why = refine_reason(mesh_, t, options_.goals);
-      if (!why || std::find(attacked_.begin(), attacked_.end(), corners_of(t)) != attacked_.end()) continue;
-      reason = why;
-      HalfEdgeId shortest = half_edge(t, 0);
-      for (int e = 1; e < 3; ++e)
-        if (edge_length(half_edge(t, e)) < edge_length(shortest)) shortest = half_edge(t, e);
-      culprit = none;
-      for (const PointId w : {mesh_.apex(shortest), mesh_.target(shortest), mesh_.origin(shortest)})
-        if (is_slated(w)) culprit = w;
-      if (culprit == none) return none;
-    }
-    return culprit;
-  }
-
-  bool is_misshapen() const {
-    for (const TriangleId t : around_)
-      if (mesh_.is_alive(t) && shape_of(t) < std::min(worst_before_, least_shape)) return true;
-    return false;
-  }
-
-  void wake_around() {
-    for (const TriangleId t : around_) {
+  /// What lies around the last removal is tried once more.
+  void note_changes() {
+    for (const PointId w : chain_.along_curves()) changed_[at(w)] = clock_;
+    for (const TriangleId t : chain_.around()) {
       if (!mesh_.is_alive(t)) continue;
       for (int c = 0; c < 3; ++c) {
         const PointId w = mesh_.corner(t, c);
+        changed_[at(w)] = clock_;
         if (!is_slated(w) || is_waiting_[at(w)]) continue;
         is_waiting_[at(w)] = true;
         waiting_.push_back(w);
@@ -258,17 +195,7 @@ class Coarsener {
   }
 
   double edge_length(HalfEdgeId h) const {
-    return distance(mesh_.point(mesh_.origin(h)), mesh_.point(mesh_.target(h)));
-  }
-  Corners corners_of(TriangleId t) const {
-    Corners corners{mesh_.corner(t, 0), mesh_.corner(t, 1), mesh_.corner(t, 2)};
-    std::sort(corners.begin(), corners.end());
-    return corners;
-  }
-  double shape_of(TriangleId t) const {
-    std::array<Point, net_size(max_degree)> net;
-    mesh_.gather_points(t, net);
-    return curved_shape(mesh_.degree(), {net.data(), at(mesh_.net_size())});
+    return quick_distance(mesh_.point(mesh_.origin(h)), mesh_.point(mesh_.target(h)));
   }
 
   PassReport make_report() const {
@@ -282,30 +209,68 @@ class Coarsener {
     report.add_length("accumulated_error", accumulated);
     report.add("integral_change", integral_change_);
     report.add("triangles", mesh_.triangle_count());
-    for (const auto& [v, reason] : refused_) report.refuse(reason, mesh_.point(v));
+    for (const PointId v : refused_) {
+      const RemovalRefusal& refusal = memories_[at(parity_)][at(v)].refusal;
+      report.refuse((refusal.is_refinement ? "would be refined again: " : "") + std::string(refusal.reason),
+                    mesh_.point(v));
+    }
     return report;
   }
 
+  struct Memory {
+    RemovalRefusal refusal;
+    long when = 0;
+    std::vector<PointId> decided_by;  // twice the vertex, plus one if it was slated
+  };
+
   Mesh& mesh_;
   const CoarsenOptions& options_;
+  const std::vector<bool>& frozen_;
   std::vector<VertexRole> roles_;
   std::vector<bool> slated_, is_waiting_;
-  std::vector<PointId> waiting_;            // what to try once more
-  std::map<PointId, std::string> refused_;  // of this round, by vertex
-  // One chain of removals:
-  std::vector<PointId> chained_, link_, chain_;
-  std::vector<TriangleId> around_, changed_;
-  std::vector<Corners> attacked_;  // before
-  double worst_before_ = 1;
-  std::vector<HalfEdgeId> stack_;
-  Star star_;
-  LegalizeCounts counts_;
-  long inner_removals_ = 0, curve_removals_ = 0;
+  std::vector<PointId> waiting_;  // what to try once more
+  std::vector<PointId> removed_;
+  std::vector<PointId> refused_;  // of this round
+  std::vector<PointId> stuck_;    // of the last one
+  RemovalChain::Limits limits_;
+  RemovalChain chain_;
+  // By vertex:
+  std::array<std::vector<Memory>, 2> memories_;  // of rounds in which much the same is slated: every other one
+  int parity_ = 0;
+  std::vector<long> changed_;  // when its star last did, by the number of removals until then
+  std::vector<PointId> decided_by_;
+  long clock_ = 0, inner_removals_ = 0, curve_removals_ = 0;
   double largest_error_ = 0, integral_change_ = 0;
 };
 
+/// Keeps the vertices whose removal may have let refine succeed, in a wider circle with every attempt; false if there
+/// are none, or it takes too long.
+bool freeze(const Mesh& mesh, const std::vector<PointId>& removed, const std::vector<LeftByRefine::Awakened>& awakened,
+            int attempt, std::vector<bool>& frozen) {
+  if (attempt == most_attempts) return false;
+  bool any = false;
+  for (const PointId v : removed)
+    if (std::any_of(awakened.begin(), awakened.end(), [&](const LeftByRefine::Awakened& each) {
+          return distance(each.place, mesh.point(v)) <= std::ldexp(each.reach, attempt);
+        }))
+      frozen[at(v)] = any = true;
+  return any;
+}
+
 }  // namespace
 
-PassReport coarsen(Mesh& mesh, const CoarsenOptions& options) { return Coarsener(mesh, options).run(); }
+PassReport coarsen(Mesh& mesh, const CoarsenOptions& options) {
+  LeftByRefine left(mesh, options.goals);
+  std::vector<bool> frozen(at(mesh.point_slots()), false);
+  for (int attempt = 0;; ++attempt) {
+    Coarsener coarsener(mesh, options, frozen);
+    PassReport report = coarsener.run();
+    if (!left.any() || coarsener.removed().empty()) return report;
+    const std::vector<LeftByRefine::Awakened> awakened = left.awakened_in(mesh);
+    if (awakened.empty()) return report;
+    mesh = left.before();
+    if (!freeze(mesh, coarsener.removed(), awakened, attempt, frozen)) frozen.assign(frozen.size(), true);
+  }
+}
 
 }  // namespace pliant

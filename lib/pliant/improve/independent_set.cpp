@@ -5,8 +5,6 @@
 #include <queue>
 #include <utility>
 
-#include "pliant/mesh/star.h"
-
 namespace pliant {
 namespace {
 
@@ -18,8 +16,10 @@ std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 class Chooser {
  public:
-  Chooser(const Mesh& mesh, const std::vector<VertexRole>& roles, const std::vector<double>& spacing, double factor)
+  Chooser(const Mesh& mesh, const VertexGraph& graph, const std::vector<VertexRole>& roles,
+          const std::vector<double>& spacing, double factor)
       : mesh_(mesh),
+        graph_(graph),
         roles_(roles),
         spacing_(spacing),
         factor_(factor),
@@ -46,7 +46,7 @@ class Chooser {
   bool is_candidate(PointId v) const {
     return mesh_.is_vertex(v) && roles_[at(v)] == VertexRole::inner && !chosen_[at(v)] && !shut_out_[at(v)];
   }
-  double far(PointId v, PointId w) const { return distance(mesh_.point(v), mesh_.point(w)); }
+  double far(PointId v, PointId w) const { return quick_distance(mesh_.point(v), mesh_.point(w)); }
 
   /// Even steps in wanted lengths between the vertices that are kept.
   void choose_along(const CurveChain& chain) {
@@ -83,21 +83,16 @@ class Chooser {
     front_.assign(1, v);
     visited_[at(v)] = v;
     for (std::size_t k = 0; k < front_.size(); ++k) {
-      find_star(mesh_, front_[k], star_);
-      const auto look_at = [&](PointId w) {
-        if (visited_[at(w)] == v) return;
+      for (const PointId w : graph_.around(front_[k])) {
+        if (visited_[at(w)] == v) continue;
         visited_[at(w)] = v;
         const double ratio = far(v, w) / (in_plane * factor_ * (spacing_[at(v)] + spacing_[at(w)]) / 2);
-        if (!(ratio < rim)) return;
+        if (!(ratio < rim)) continue;
         front_.push_back(w);
         if (ratio < 1)
           shut_out_[at(w)] = true;
         else if (is_candidate(w))
           queue_.push({ratio, w});
-      };
-      for (const HalfEdgeId h : star_.outgoing) {
-        look_at(mesh_.target(h));
-        look_at(mesh_.apex(h));  // an open star's last edge has no half-edge that leaves
       }
     }
   }
@@ -112,21 +107,21 @@ class Chooser {
 
   using Item = std::pair<double, PointId>;
   const Mesh& mesh_;
+  const VertexGraph& graph_;
   const std::vector<VertexRole>& roles_;
   const std::vector<double>& spacing_;
   double factor_;
   std::vector<bool> chosen_, shut_out_;
   std::vector<PointId> visited_, front_;
   std::priority_queue<Item, std::vector<Item>, std::greater<>> queue_;
-  Star star_;
 };
 
 }  // namespace
 
-std::vector<bool> independent_set(const Mesh& mesh, const std::vector<CurveChain>& chains,
+std::vector<bool> independent_set(const Mesh& mesh, const VertexGraph& graph, const std::vector<CurveChain>& chains,
                                   const std::vector<VertexRole>& roles, const std::vector<double>& spacing,
                                   const std::vector<PointId>& preferred, double factor) {
-  return Chooser(mesh, roles, spacing, factor).run(chains, preferred);
+  return Chooser(mesh, graph, roles, spacing, factor).run(chains, preferred);
 }
 
 }  // namespace pliant

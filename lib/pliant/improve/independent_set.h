@@ -14,7 +14,7 @@ namespace pliant {
 /// Reference   Talmor, Well-spaced points for numerical methods; Miller, Talmor, Teng, Optimal coarsening of
 ///             unstructured meshes
 /// Complexity  O(V log V + the vertices in all spheres)
-std::vector<bool> independent_set(const Mesh& mesh, const std::vector<CurveChain>& chains,
+std::vector<bool> independent_set(const Mesh& mesh, const VertexGraph& graph, const std::vector<CurveChain>& chains,
                                   const std::vector<VertexRole>& roles, const std::vector<double>& spacing,
                                   const std::vector<PointId>& preferred, double factor);
 

@@ -72,8 +72,11 @@ bool straighten_bent(Mesh& mesh, std::vector<HalfEdgeId>& edges, const RefitOpti
 EdgeState edge_state(const Mesh& mesh, HalfEdgeId h) {
   const HalfEdgeId g = mesh.twin(h);
   if (g == none || mesh.is_constrained(h)) return EdgeState::delaunay;
-  const Point &a = mesh.point(mesh.origin(h)), &b = mesh.point(mesh.target(h)), &c = mesh.point(mesh.apex(h)),
-              &d = mesh.point(mesh.apex(g));
+  return edge_state(mesh.point(mesh.origin(h)), mesh.point(mesh.target(h)), mesh.point(mesh.apex(h)),
+                    mesh.point(mesh.apex(g)));
+}
+
+EdgeState edge_state(const Point& a, const Point& b, const Point& c, const Point& d) {
   const int above = orient2d(a, b, c), below = orient2d(b, a, d);
   const auto flips_to_positive = [&] { return orient2d(a, d, c) > 0 && orient2d(d, b, c) > 0; };
   if (above <= 0 || below <= 0)

@@ -17,6 +17,8 @@ constexpr bool wants_flip(EdgeState state) {
 }
 /// The state of an edge in the logical mesh, by exact predicates.
 EdgeState edge_state(const Mesh& mesh, HalfEdgeId h);
+/// The state of an inner edge from a to b that has c on its left and d on its right.
+EdgeState edge_state(const Point& a, const Point& b, const Point& c, const Point& d);
 
 /// Makes the bent ones of these inner edges straight, where the elements stay valid; one that its neighbours' bends
 /// keep from it is tried again after them. Empties the list; true if it changed any. Bent: a control point is off its

@@ -44,8 +44,12 @@ double QualityGoals::length_at(const Point& p, double time) const {
 }
 
 double QualityGoals::length_by_field(const Mesh& mesh, TriangleId t, int corner) const {
+  return size_field == none ? HUGE_VAL : length_by_field_at(mesh, mesh.corner(t, corner), mesh.face(t));
+}
+
+double QualityGoals::length_by_field_at(const Mesh& mesh, PointId v, FaceId f) const {
   if (size_field == none) return HUGE_VAL;
-  const std::ptrdiff_t index = mesh.value_index(size_field, mesh.corner(t, corner), mesh.face(t));
+  const std::ptrdiff_t index = mesh.value_index(size_field, v, f);
   const double wanted = mesh.fields()[static_cast<std::size_t>(size_field)].values[static_cast<std::size_t>(index)];
   return wanted > 0 ? wanted / mesh.boundary().unit : HUGE_VAL;
 }

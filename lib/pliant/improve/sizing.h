@@ -29,6 +29,8 @@ struct QualityGoals {
   double length_at(const Point& p, double time) const;
   /// What `size_field` asks for at a corner of a triangle; infinite where nothing is asked.
   double length_by_field(const Mesh& mesh, TriangleId t, int corner) const;
+  /// The same at a vertex, seen from a face around it.
+  double length_by_field_at(const Mesh& mesh, PointId v, FaceId f) const;
 };
 /// From the document's criteria; `size` is the compiled expression of criteria.size (empty if there is none). Both, and
 /// the values of the size field, are in the document's units; the goals are in those of the mesh.

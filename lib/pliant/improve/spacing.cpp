@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "pliant/geometry/douglas_peucker.h"
-#include "pliant/mesh/star.h"
 
 namespace pliant {
 namespace {
@@ -58,10 +57,12 @@ std::vector<VertexRole> vertex_roles(const Mesh& mesh, const std::vector<CurveCh
       role = role != VertexRole::inner || is_end || needed[k] ? VertexRole::kept : VertexRole::curve;
     }
   }
+  for (const LoneVertex& each : mesh.lone_vertices())
+    if (each.point != none) roles[at(each.point)] = VertexRole::kept;
   return roles;
 }
 
-std::vector<double> wanted_spacing(const Mesh& mesh, const std::vector<CurveChain>& chains,
+std::vector<double> wanted_spacing(const Mesh& mesh, const VertexGraph& graph, const std::vector<CurveChain>& chains,
                                    const std::vector<VertexRole>& roles, const QualityGoals& goals,
                                    const std::vector<double>& bounds, double gradation) {
   std::vector<double> spacing = bounds;
@@ -83,18 +84,13 @@ std::vector<double> wanted_spacing(const Mesh& mesh, const std::vector<CurveChai
   // Dijkstra from all vertices at once.
   using Item = std::pair<double, PointId>;
   std::priority_queue<Item, std::vector<Item>, std::greater<>> queue;
-  Star star;
   const auto spread = [&](double wanted, PointId v) {
-    find_star(mesh, v, star);
-    const auto reach = [&](PointId w) {
-      const double graded = wanted + gradation * distance(mesh.point(v), mesh.point(w));
-      if (graded >= spacing[at(w)]) return;
+    for (const PointId w : graph.around(v)) {
+      if (wanted >= spacing[at(w)]) continue;
+      const double graded = wanted + gradation * quick_distance(mesh.point(v), mesh.point(w));
+      if (graded >= spacing[at(w)]) continue;
       spacing[at(w)] = graded;
       queue.push({graded, w});
-    };
-    for (const HalfEdgeId h : star.outgoing) {
-      reach(mesh.target(h));
-      reach(mesh.apex(h));  // an open star's last edge has no half-edge that leaves
     }
   };
   for (PointId v = 0; v < mesh.point_slots(); ++v)

@@ -3,6 +3,7 @@
 
 #include "pliant/improve/curve_chains.h"
 #include "pliant/improve/sizing.h"
+#include "pliant/improve/vertex_graph.h"
 
 namespace pliant {
 
@@ -22,7 +23,7 @@ std::vector<VertexRole> vertex_roles(const Mesh& mesh, const std::vector<CurveCh
 /// `bounds` (by point slot; empty: none), at `kept` vertices at most the distance of the next ones along their curves.
 /// Then made Lipschitz: it grows by at most `gradation` times the distance, along edges. Where nothing bounds it, the
 /// mesh's size.   Complexity O(mesh * log)
-std::vector<double> wanted_spacing(const Mesh& mesh, const std::vector<CurveChain>& chains,
+std::vector<double> wanted_spacing(const Mesh& mesh, const VertexGraph& graph, const std::vector<CurveChain>& chains,
                                    const std::vector<VertexRole>& roles, const QualityGoals& goals,
                                    const std::vector<double>& bounds, double gradation);
 

@@ -11,6 +11,7 @@
 #include "pliant/geometry/describe.h"
 #include "pliant/mesh/check_mesh.h"
 #include "pliant/mesh/half_edges.h"
+#include "pliant/mesh/lone_vertices.h"
 
 namespace pliant {
 namespace {
@@ -41,6 +42,10 @@ class Checker {
       check_stars();
     }
     check_curves();
+    for (const LoneVertex& each : find_lone_vertices(data_))
+      if (each.point == none)
+        fault("M4", "/boundary/vertices/" + std::to_string(2 * each.vertex),
+              "no vertex of the mesh is at this vertex of the boundary");
     check_faces();
     check_fields();
     return std::move(faults_);

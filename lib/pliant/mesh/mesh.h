@@ -1,5 +1,6 @@
 #pragma once  // lib/pliant/mesh/mesh.h: the one mesh: shared control points by index, adjacency, constrained edges,
               // fields
+#include <algorithm>
 #include <cassert>
 #include <cstdint>
 #include <span>
@@ -8,6 +9,7 @@
 #include <vector>
 
 #include "pliant/geometry/net_layout.h"
+#include "pliant/mesh/lone_vertices.h"
 #include "pliant/mesh/mesh_data.h"
 
 namespace pliant {
@@ -66,6 +68,13 @@ class Mesh {
   bool is_pinched(PointId v) const { return !pinched_half_edges(v).empty(); }
   bool is_point_alive(PointId p) const { return vertex_half_edges_[at(p)] != free_slot; }
   const NetLayout& layout() const { return *layout_; }
+
+  /// The mesh vertices at the places of vertices of the boundary complex in which no curve ends. They stay: no
+  /// operation removes or moves one, and motion takes the complex's vertex along.
+  std::span<const LoneVertex> lone_vertices() const { return lone_vertices_; }
+  bool is_lone_vertex(PointId v) const {
+    return !lone_points_.empty() && std::binary_search(lone_points_.begin(), lone_points_.end(), v);
+  }
 
   // -- constrained edges: a half-edge's constraint names the curve, the start of the span, and its first vertex
   CurveId constraint_curve(ConstraintId c) const { return constraint_curves_[at(c)]; }
@@ -205,6 +214,8 @@ class Mesh {
   std::int32_t place_count_ = 0;
   bool has_by_face_ = false;
   BoundaryComplex boundary_;
+  std::vector<LoneVertex> lone_vertices_;
+  std::vector<PointId> lone_points_;  // theirs, ascending
   std::vector<std::int32_t> free_triangles_, free_points_, free_constraints_;
   std::vector<LogEntry> log_;
   BSpline::Edits curve_edits_;  // in the order of their entries in the log

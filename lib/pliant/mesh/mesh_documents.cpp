@@ -16,7 +16,11 @@ Mesh::Mesh(MeshData& data, const HalfEdges& half_edges)
       degree_(data.degree),
       net_size_(pliant::net_size(data.degree)),
       layout_(&NetLayout::of(data.degree)),
-      boundary_(std::move(data.boundary)) {
+      lone_vertices_(find_lone_vertices(data)) {
+  boundary_ = std::move(data.boundary);
+  for (const LoneVertex& each : lone_vertices_)
+    if (each.point != none) lone_points_.push_back(each.point);
+  std::sort(lone_points_.begin(), lone_points_.end());
   connect(data, half_edges);
   points_ = std::move(data.points);
   nets_ = std::move(data.triangles);

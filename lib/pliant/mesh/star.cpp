@@ -122,7 +122,7 @@ bool are_joined(const Mesh& mesh, PointId a, PointId b) {
 }
 
 bool is_on_curve(const Mesh& mesh, const Star& star) {
-  if (!star.is_closed) return true;
+  if (!star.is_closed || mesh.is_lone_vertex(mesh.origin(star.outgoing.front()))) return true;
   for (const HalfEdgeId h : star.outgoing)
     if (mesh.is_constrained(h)) return true;
   return false;

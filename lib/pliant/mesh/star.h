@@ -23,7 +23,7 @@ HalfEdgeId find_half_edge(const Mesh& mesh, PointId a, PointId b);
 /// True if an edge joins a and b, whichever way round its triangles have it.
 bool are_joined(const Mesh& mesh, PointId a, PointId b);
 
-/// True if some edge at v lies on a curve.
+/// True if v belongs to the boundary complex: some edge at it lies on a curve, or it is a vertex without one.
 bool is_on_curve(const Mesh& mesh, const Star& star);
 
 }  // namespace pliant

@@ -34,7 +34,7 @@ HalfEdgeId step_along(const Mesh& mesh, HalfEdgeId h, bool forward) {
 }  // namespace
 
 Passage passage_at(const Mesh& mesh, PointId v, const Star& star) {
-  if (star.components != 1) return {};
+  if (star.components != 1 || mesh.is_lone_vertex(v)) return {};
   thread_local std::vector<HalfEdgeId> edges;
   constrained_at(mesh, star, edges);
   if (edges.size() != 2) return {};
@@ -50,12 +50,12 @@ Passage passage_at(const Mesh& mesh, PointId v, const Star& star) {
   return passage;
 }
 
-void find_footprint(const Mesh& mesh, const Passage& passage, Footprint& footprint) {
+void find_footprint(const Mesh& mesh, const Passage& passage, Footprint& footprint, int more) {
   footprint = {};
   std::vector<ConstraintId> seen{mesh.constraint(passage.before), mesh.constraint(passage.after)};
   for (const bool forward : {false, true}) {
     HalfEdgeId h = forward ? passage.after : passage.before;
-    for (int k = 1; k <= mesh.degree(); ++k) {
+    for (int k = 1; k <= mesh.degree() + more; ++k) {
       h = step_along(mesh, h, forward);
       if (h == none || std::find(seen.begin(), seen.end(), mesh.constraint(h)) != seen.end()) break;
       seen.push_back(mesh.constraint(h));

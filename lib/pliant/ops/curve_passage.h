@@ -28,8 +28,8 @@ struct Footprint {
     return {};
   }
 };
-/// The edges beyond the two that merge, as many as the degree on either side.
-void find_footprint(const Mesh& mesh, const Passage& passage, Footprint& footprint);
+/// The edges beyond the two that merge, as many as the degree on either side, and `more`.
+void find_footprint(const Mesh& mesh, const Passage& passage, Footprint& footprint, int more = 0);
 
 /// The fan of v on one side: link vertices counter-clockwise from one curve neighbour to the other.
 void find_fan(const Mesh& mesh, const Star& star, HalfEdgeId first, Fan& fan);

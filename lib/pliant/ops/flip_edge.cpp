@@ -11,11 +11,18 @@
 namespace pliant {
 namespace {
 
+/// A corner this near to a straight angle is one where a curve goes on smoothly, but for rounding. The element there
+/// could at best be valid by that rounding, and a place for its points would be looked for at length.
+constexpr double least_turn = 1e-10;
+
 /// The tangents of two sides that meet at a corner turn left there: det J > 0 is possible at that corner. `into` ends
 /// where `out` starts.
 bool turns_left(const Mesh& mesh, const EdgePoints& into, const EdgePoints& out) {
   const int p = mesh.degree();
-  return orient2d(mesh.point(into[p - 1]), mesh.point(into[p]), mesh.point(out[1])) > 0;
+  const Point &before = mesh.point(into[p - 1]), &corner = mesh.point(into[p]), &after = mesh.point(out[1]);
+  if (orient2d(before, corner, after) <= 0) return false;
+  const Vector u = corner - before, v = after - corner;
+  return dot(u, v) <= 0 || cross(u, v) > least_turn * dot(u, v);
 }
 
 }  // namespace

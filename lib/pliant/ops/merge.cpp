@@ -12,15 +12,14 @@ namespace {
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-/// How deep v lies in the circle of an ear (power of the point, negative of its sign): small ears go first.
+}  // namespace
+
 double depth_in_circle(const Point& a, const Point& b, const Point& c, const Point& v) {
   const Vector p = a - v, q = b - v, r = c - v;
   const double lifted =
       squared_length(p) * cross(q, r) + squared_length(q) * cross(r, p) + squared_length(r) * cross(p, q);
   return lifted / cross(b - a, c - a);
 }
-
-}  // namespace
 
 bool reduce_fan(Mesh& mesh, PointId v, Fan& fan, bool closed, int triangles, const RefitOptions& options) {
   thread_local std::vector<std::pair<double, int>> ears;

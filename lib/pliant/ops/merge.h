@@ -12,6 +12,9 @@ namespace pliant {
 /// The link vertices of one side of v, in counter-clockwise order: triangles (v, link[i], link[i + 1]).
 using Fan = std::vector<PointId>;
 
+/// How deep v lies in the circle of an ear (power of the point, negative of its sign): small ears go first.
+double depth_in_circle(const Point& a, const Point& b, const Point& c, const Point& v);
+
 /// Flips spokes of the fan (Devillers's order: the ear whose circle v is barely inside first) until `triangles` are
 /// left. False when no ear can be flipped: the caller rolls back.
 bool reduce_fan(Mesh& mesh, PointId v, Fan& fan, bool closed, int triangles, const RefitOptions& options);

@@ -35,33 +35,108 @@ std::optional<double> remove_break(Mesh& mesh, CurveId c, double knot, const Cur
   return error;
 }
 
+/// The removal of a knot as far as the curve alone decides it.
+struct KnotRemoval {
+  Refusal refusal = Refusal::done;
+  double error = 0;
+  Passage passage;
+  PointId from = 0, to = 0;  ///< the ends of the edge that is left
+  double start = 0;          ///< where it starts
+};
+
+/// Removes the knot from the curve of the mesh, in a transaction of the caller, who rolls it back where the removal is
+/// refused.   `is_changed`: the curve has lost knots before in this way, which the mesh has not followed
+KnotRemoval try_removal(Mesh& mesh, PointId v, const Star& star, const CurveTolerance& tolerance,
+                        bool is_changed = false) {
+  KnotRemoval plan;
+  plan.passage = passage_at(mesh, v, star);
+  const auto refused = [&plan](Refusal refusal) {
+    plan.refusal = refusal;
+    return plan;
+  };
+  const CurveId c = plan.passage.curve;
+  if (c == none) return refused(Refusal::corner);  // or pinched, or on no curve
+  const Curve& curve = mesh.boundary().curves[at(c)];
+  const BSpline& spline = curve.spline;
+  const ConstraintId kept = mesh.constraint(plan.passage.before), dropped = mesh.constraint(plan.passage.after);
+  const double knot = mesh.constraint_start(dropped);
+  if (spline.closed() ? spline.span_count(4) <= 3 : knot <= spline.first_parameter())
+    return refused(Refusal::not_removable);
+  plan.start = is_changed ? spline.span_before(knot) : mesh.constraint_start(kept);
+  // The first of a knot's copies costs no more than all of them, and it tells without a change.
+  const std::optional<double> least = spline.removal_error(knot);
+  if (!least) return refused(Refusal::not_removable);
+  plan.error = *least;
+  if (!is_tolerable(curve, plan.error, tolerance)) return refused(Refusal::exceeds_tolerance);
+  const std::optional<double> error = remove_break(mesh, c, knot, tolerance);
+  if (!error) return refused(Refusal::not_removable);
+  plan.error = *error;
+  if (!is_tolerable(curve, plan.error, tolerance)) return refused(Refusal::exceeds_tolerance);
+  std::array<Point, max_degree + 1> merged_polygon;
+  const std::span<Point> long_span{merged_polygon.data(), at(mesh.degree() + 1)};
+  spline.extract(plan.start, long_span);
+  if (turning_angle(long_span) > tolerance.max_turning) return refused(Refusal::too_curved);
+  plan.from = mesh.constraint_first(kept);
+  plan.to = mesh.origin(plan.passage.after) == v ? mesh.target(plan.passage.after) : mesh.origin(plan.passage.after);
+  if (!is_changed &&
+      (find_half_edge(mesh, plan.from, plan.to) != none || find_half_edge(mesh, plan.to, plan.from) != none))
+    return refused(Refusal::edge_exists);
+  return plan;
+}
+
 }  // namespace
+
+CurveRemoval foresee_curve_removal(Mesh& mesh, PointId v, const CurveTolerance& tolerance, ForeseenCurves& foreseen) {
+  thread_local Star star;
+  find_star(mesh, v, star);
+  const CurveId c = passage_at(mesh, v, star).curve;
+  Transaction transaction(mesh);
+  const KnotRemoval plan = try_removal(mesh, v, star, tolerance, foreseen.find(c) != nullptr);
+  if (plan.refusal != Refusal::done) return {plan.refusal, plan.error};
+  mesh.set_removal_error(c, mesh.boundary().curves[at(c)].removal_error + plan.error);
+  transaction.commit();
+  ForeseenCurves::Changed* changed = foreseen.find(c);
+  if (changed == nullptr) changed = &foreseen.curves.emplace_back(ForeseenCurves::Changed{c, 0});
+
+  // Where the vertices near by will be. Those that have gone before have no knot any more.
+  const BSpline& spline = mesh.spline(c);
+  thread_local Footprint footprint;
+  find_footprint(mesh, plan.passage, footprint, changed->removals++);
+  footprint.half_edges.insert(footprint.half_edges.end(), {plan.passage.before, plan.passage.after});
+  std::array<Point, max_degree + 1> bezier;
+  for (const HalfEdgeId h : footprint.half_edges) {
+    const ConstraintId constraint = mesh.constraint(h);
+    const double knot = mesh.constraint_start(constraint);
+    const PointId w = mesh.constraint_first(constraint);
+    if (spline.multiplicity(knot) == 0 || (!spline.closed() && knot <= spline.first_parameter())) continue;
+    spline.extract(knot, {bezier.data(), at(mesh.degree() + 1)});
+    const auto known =
+        std::find_if(foreseen.moved.begin(), foreseen.moved.end(), [w](const auto& each) { return each.first == w; });
+    if (known != foreseen.moved.end()) {
+      known->second = bezier[0];
+    } else if (bezier[0] != mesh.point(w)) {
+      foreseen.moved.emplace_back(w, bezier[0]);
+      find_star(mesh, w, star);
+      if (passage_at(mesh, w, star).curve == none) return {Refusal::corner, plan.error};  // something holds on to it
+    }
+  }
+  return {Refusal::done, plan.error};
+}
 
 CurveRemoval remove_curve_vertex(Mesh& mesh, PointId v, const CurveTolerance& tolerance, const RefitOptions& options) {
   Star star;
   find_star(mesh, v, star);
-  const Passage passage = passage_at(mesh, v, star);
-  if (passage.curve == none) return {Refusal::corner};  // or pinched, or on no curve
-  const Curve& curve = mesh.boundary().curves[at(passage.curve)];
-  const ConstraintId kept = mesh.constraint(passage.before), dropped = mesh.constraint(passage.after);
-  const double knot = mesh.constraint_start(dropped), start = mesh.constraint_start(kept);
-  if (curve.spline.closed() ? curve.spline.span_count(4) <= 3 : knot <= curve.spline.first_parameter())
-    return {Refusal::not_removable};
   // A trial first: the operations on ears ask for the curve as it is.
   Transaction trial(mesh);
-  const std::optional<double> error = remove_break(mesh, passage.curve, knot, tolerance);
-  if (!error) return {Refusal::not_removable};
-  const auto refused = [&error](Refusal refusal) { return CurveRemoval{refusal, *error}; };
-  if (!is_tolerable(curve, *error, tolerance)) return refused(Refusal::exceeds_tolerance);
-  std::array<Point, max_degree + 1> merged_polygon;
-  const std::span<Point> long_span{merged_polygon.data(), at(mesh.degree() + 1)};
-  curve.spline.extract(start, long_span);
-  if (turning_angle(long_span) > tolerance.max_turning) return refused(Refusal::too_curved);
+  const KnotRemoval plan = try_removal(mesh, v, star, tolerance);
+  if (plan.refusal != Refusal::done) return {plan.refusal, plan.error};
   trial.roll_back();
-  const PointId from = mesh.constraint_first(kept);
-  const PointId to = mesh.origin(passage.after) == v ? mesh.target(passage.after) : mesh.origin(passage.after);
-  if (find_half_edge(mesh, from, to) != none || find_half_edge(mesh, to, from) != none)
-    return refused(Refusal::edge_exists);
+  const Passage passage = plan.passage;
+  const Curve& curve = mesh.boundary().curves[at(passage.curve)];
+  const ConstraintId kept = mesh.constraint(passage.before), dropped = mesh.constraint(passage.after);
+  const double knot = mesh.constraint_start(dropped), start = plan.start;
+  const PointId from = plan.from, to = plan.to;
+  const auto refused = [&plan](Refusal refusal) { return CurveRemoval{refusal, plan.error}; };
 
   Transaction transaction(mesh);
   // Ears first, so that each side has two triangles. A fan starts at the outgoing half-edge that has the curve on its
@@ -83,7 +158,7 @@ CurveRemoval remove_curve_vertex(Mesh& mesh, PointId v, const CurveTolerance& to
 
   // New places of the curve's points, before anything moves.
   remove_break(mesh, passage.curve, knot, tolerance);  // as in the trial
-  mesh.set_removal_error(passage.curve, curve.removal_error + *error);
+  mesh.set_removal_error(passage.curve, curve.removal_error + plan.error);
   const auto extract = [&](double t0) {
     std::array<Point, max_degree + 1> bezier{};
     curve.spline.extract(t0, {bezier.data(), at(p + 1)});
@@ -126,7 +201,7 @@ CurveRemoval remove_curve_vertex(Mesh& mesh, PointId v, const CurveTolerance& to
   thread_local Patch patch;
   patch.capture(mesh, before);
   // Where the curve stays where it is, so does the region of the merging elements: integrals are kept there.
-  const bool region_kept = *error <= mesh.tolerance();
+  const bool region_kept = plan.error <= mesh.tolerance();
   thread_local Patch merging;
   if (region_kept) merging.capture(mesh, {before.data(), star.outgoing.size()});
   thread_local RegionIntegrals integrals_before, integrals;
@@ -246,7 +321,7 @@ CurveRemoval remove_curve_vertex(Mesh& mesh, PointId v, const CurveTolerance& to
       (region_kept ? merging : patch).fit_fields(mesh, merged_triangles, free, options, region_kept);
     }
   }
-  CurveRemoval removal{Refusal::done, *error};
+  CurveRemoval removal{Refusal::done, plan.error};
   if (!region_kept && width > 2) {
     integrals.take(mesh, after);
     if (options.region_change == RegionChange::conserve) {
