@@ -83,7 +83,7 @@ bool SmoothingMoves::search_places(TriangleId t) {
             if (trial_.has(e, p)) trial_excesses_[e] = rating_of(e);
           now_ = trial_excesses_;
           std::sort(now_.begin(), now_.end(), std::greater<>());
-          if (now_ < best_ && count_tangled(now_) <= count_tangled(before_)) {
+          if (now_ < best_ && count_tangled(now_) <= count_tangled(before_) && keeps_quality()) {
             best_ = now_;
             excesses_ = trial_excesses_;
             found = true;

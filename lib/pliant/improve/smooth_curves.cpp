@@ -32,7 +32,10 @@ struct Entry {
 
 class Smoother {
  public:
-  Smoother(Mesh& mesh, const SmoothOptions& options) : mesh_(mesh), options_(options), moves_(mesh, options) {}
+  Smoother(Mesh& mesh, const SmoothOptions& options)
+      : mesh_(mesh), wanted_(options), options_(options), moves_(mesh, options_) {
+    options_.vertices = options_.flips = options_.split = false;
+  }
 
   SmoothOutcome run() {
     if (options_.progress != nullptr) options_.progress->start("smooth", "visits");
@@ -40,14 +43,13 @@ class Smoother {
       if (mesh_.is_alive(t) && !moves_.is_fine(t)) suspects_.push_back(t);
     const std::size_t too_curved = suspects_.size();
     work(suspects_);
-    for (int round = 0; round < most_rounds && turn_back(); ++round) work(suspects_);
+    left_ = still_curved();
+    // Each option goes on from what the ones before it have left, and may not make it worse.
+    if (wanted_.vertices) options_.vertices = true, work_on();
+    if (wanted_.flips) options_.flips = true, work_on();
+    if (wanted_.split) options_.split = true, split_on();
     if (!suspects_.empty()) {
-      std::vector<TriangleId> left = still_curved();
-      for (int round = 0; options_.split && round < most_rounds && split_edges(left); ++round) {
-        work(split_off_);
-        left = still_curved();
-      }
-      judge(left);
+      judge();
       if (is_changed_) mesh_.compact();
     }
     PassReport& report = outcome_.report;
@@ -65,7 +67,7 @@ class Smoother {
     report.add("triangles", mesh_.triangle_count());
     for (const auto& [reason, times] : moves_.refusals) report.refuse(reason, times);
     for (const UnmendedElement& element : outcome_.unmended)
-      report.refuse(describe(element.reason, {options_.vertices, options_.flips, options_.split}), element.place);
+      report.refuse(describe(element.reason, {wanted_.vertices, wanted_.flips, wanted_.split}), element.place);
     return std::move(outcome_);
   }
 
@@ -103,12 +105,38 @@ class Smoother {
     suspects_.erase(std::unique(suspects_.begin(), suspects_.end()), suspects_.end());
   }
 
-  /// Turns straight triangles back where vertices or flips are allowed; true if any was.
+  /// Of what is left, all that has become allowed; and straight triangles turned back.
+  void work_on() {
+    is_guarded_ = false;
+    if (!left_.empty()) {
+      guard();
+      work(left_);
+    }
+    for (int round = 0; round < most_rounds && turn_back(); ++round) work(suspects_);
+    left_ = still_curved();
+  }
+  void split_on() {
+    if (left_.empty()) return;
+    is_guarded_ = false;
+    guard();
+    for (int round = 0; round < most_rounds && !left_.empty() && split_edges(left_); ++round) {
+      work(split_off_);
+      left_ = still_curved();
+    }
+  }
+  /// Neither the least shape nor the least scaled Jacobian of the mesh falls from here on.
+  void guard() {
+    if (is_guarded_) return;
+    moves_.guard(least_quality_of_mesh(mesh_, left_));
+    is_guarded_ = true;
+  }
+
+  /// Turns straight triangles back; true if any was.
   bool turn_back() {
-    if (!options_.vertices && !options_.flips) return false;
     const std::size_t before = suspects_.size();
     for (TriangleId t = 0; t < mesh_.triangle_slots(); ++t) {
       if (!mesh_.is_alive(t) || !moves_.is_turned_over(t)) continue;
+      guard();
       moves_.forget_touched();
       if (!moves_.turn_back(t)) continue;
       ++turned_back_;
@@ -149,19 +177,24 @@ class Smoother {
 
   // -- splits of edges on curves
 
+  enum class Split { useless, makes_others_worse, helps };
+
   /// Splits an edge of the element that is on a curve, smooths what comes of it, and tells whether the worst of it is
-  /// better than the worst there was. Undone unless it is and `keep` is set.
-  bool split_helps(TriangleId t, bool keep) {
+  /// better than the worst there was, and at least as good as what is guarded. Undone unless it is and `keep` is set.
+  Split try_split(TriangleId t, bool keep) {
+    Split result = Split::useless;
     for (int e = 0; e < 3; ++e) {
       const HalfEdgeId h = half_edge(t, e), g = mesh_.twin(h);
       if (!mesh_.is_constrained(h)) continue;
       const double before = std::max(moves_.excess(t), g == none ? 1.0 : moves_.excess(triangle_of(g)));
+      const std::array<TriangleId, 2> sides{t, g == none ? t : triangle_of(g)};
+      const auto quality = moves_.quality_of(std::span(sides).first(g == none ? 1 : 2));
       moves_.forget_touched();
       Transaction trial(mesh_);
-      const InsertResult result = split_edge(mesh_, h, 0.5);
-      if (result.refusal != Refusal::done) continue;
+      const InsertResult made = split_edge(mesh_, h, 0.5);
+      if (made.refusal != Refusal::done) continue;
       Star star;
-      find_star(mesh_, result.vertex, star);
+      find_star(mesh_, made.vertex, star);
       std::vector<TriangleId> children;
       for (const HalfEdgeId out : star.outgoing) children.push_back(triangle_of(out));
       for (int round = 0; round < child_rounds; ++round)
@@ -170,21 +203,25 @@ class Smoother {
       double now = 0;
       for (const TriangleId child : children) now = std::max(now, moves_.excess(child));
       if (!(now < before * (1 - progress))) continue;
-      if (!keep) return true;
+      if (!moves_.keeps(moves_.quality_of(children), quality)) {
+        result = Split::makes_others_worse;
+        continue;
+      }
+      if (!keep) return Split::helps;
       trial.commit();
       ++splits_;
       is_changed_ = true;
       split_off_.insert(split_off_.end(), children.begin(), children.end());
       split_off_.insert(split_off_.end(), moves_.touched().begin(), moves_.touched().end());
-      return true;
+      return Split::helps;
     }
-    return false;
+    return result;
   }
   /// Splits what splitting helps, of elements that have changed since it did not.
   bool split_edges(const std::vector<TriangleId>& elements) {
     split_off_.clear();
     for (const TriangleId t : elements)
-      if (!unsplit_.contains(t) && !moves_.is_fine(t) && !split_helps(t, true)) unsplit_.insert(t);
+      if (!unsplit_.contains(t) && !moves_.is_fine(t) && try_split(t, true) != Split::helps) unsplit_.insert(t);
     suspects_.insert(suspects_.end(), split_off_.begin(), split_off_.end());
     for (const TriangleId t : split_off_) unsplit_.erase(t);
     const bool any = !split_off_.empty();
@@ -194,36 +231,44 @@ class Smoother {
 
   // -- what is left
 
-  void judge(const std::vector<TriangleId>& left) {
-    for (const TriangleId t : left) {
+  void judge() {
+    // Of a mesh that no option made guard, what is left is the floor: as strict or stricter, and nothing to look for.
+    if (!is_guarded_) moves_.guard(least_quality(mesh_, left_));
+    for (const TriangleId t : left_) {
       UnmendedElement element = explain_unmended(mesh_, t);
-      if (element.reason != Unmended::smooth_corner && needs_split(t)) element.reason = Unmended::needs_split;
+      if (element.reason != Unmended::smooth_corner) {
+        const Split split = effect_of_split(t);
+        if (split == Split::helps) element.reason = Unmended::needs_split;
+        if (split == Split::makes_others_worse) element.reason = Unmended::needs_refinement;
+      }
       outcome_.unmended.push_back(element);
       if (!is_valid(mesh_, t)) outcome_.invalid.push_back(t);
       on_curves_ += has_constrained_edge(t);
       needs_split_ += element.reason == Unmended::needs_split;
     }
   }
-  bool needs_split(TriangleId t) {
-    if (!has_constrained_edge(t)) return false;
+  Split effect_of_split(TriangleId t) {
+    if (!has_constrained_edge(t)) return Split::useless;
     const auto counts = std::tuple(moves_.edges_smoothed, moves_.refusals);
-    const bool helps = split_helps(t, false);
+    const Split effect = try_split(t, false);
     std::tie(moves_.edges_smoothed, moves_.refusals) = counts;
-    return helps;
+    return effect;
   }
 
   Mesh& mesh_;
-  const SmoothOptions& options_;
+  const SmoothOptions& wanted_;
+  SmoothOptions options_;  // what is allowed so far
   SmoothingMoves moves_;
   std::priority_queue<Entry> queue_;
   std::vector<TriangleId> suspects_;   // all that were too curved or have been changed: no other one can be
+  std::vector<TriangleId> left_;       // those of them that are too curved
   std::vector<TriangleId> split_off_;  // what the splits of this round have made or changed
   std::set<TriangleId> unsplit_;       // elements that a split does not help, as they are
   std::vector<int> visits_, searches_;
   std::vector<double> last_;  // excess after the last visit; 0: none
   SmoothOutcome outcome_;
   long visited_ = 0, turned_back_ = 0, splits_ = 0, on_curves_ = 0, needs_split_ = 0;
-  bool is_changed_ = false;
+  bool is_changed_ = false, is_guarded_ = false;
 };
 
 }  // namespace
