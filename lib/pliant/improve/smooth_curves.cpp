@@ -19,6 +19,7 @@ constexpr double progress = 1e-2;  // an element whose excess fell by this much 
 constexpr int most_rounds = 10;    // of splits, or of straight triangles turned back
 constexpr int child_rounds = 3;    // of smoothing the elements that a split makes
 constexpr int most_searches = 4;   // of a valid element: they cost more than all the rest
+constexpr int most_failures = 4;   // visits of a valid element that find nothing, whatever changes around it
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
@@ -82,17 +83,20 @@ class Smoother {
   void work(std::span<const TriangleId> elements) {
     if (elements.empty()) return;
     visits_.assign(at(mesh_.triangle_slots()), 0);
-    searches_.assign(at(mesh_.triangle_slots()), 0);
     last_.assign(at(mesh_.triangle_slots()), 0);
+    searches_.resize(at(mesh_.triangle_slots()), 0);
+    changed_.resize(at(mesh_.triangle_slots()), 0);
+    failed_.resize(at(mesh_.triangle_slots()), 0);
+    failures_.resize(at(mesh_.triangle_slots()), 0);
     for (const TriangleId t : elements)
-      if (const double excess = moves_.movable_excess(t); excess > 1) queue_.push({excess, t});
+      if (const double excess = moves_.movable_excess(t); excess > 1 && is_worth_a_visit(t)) queue_.push({excess, t});
     while (!queue_.empty()) {
       const Entry entry = queue_.top();
       queue_.pop();
       const TriangleId t = entry.triangle;
       if (visits_[at(t)] >= options_.max_sweeps) continue;
       const double before = moves_.movable_excess(t);
-      if (before <= 1) continue;
+      if (before <= 1 || (before < tangled_excess && failures_[at(t)] >= most_failures)) continue;
       if (before < entry.excess) {  // better than when it was queued: its turn comes later
         queue_.push({before, t});
         continue;
@@ -110,6 +114,7 @@ class Smoother {
     is_guarded_ = false;
     if (!left_.empty()) {
       guard();
+      forget_failures();
       work(left_);
     }
     for (int round = 0; round < most_rounds && turn_back(); ++round) work(suspects_);
@@ -131,6 +136,32 @@ class Smoother {
     is_guarded_ = true;
   }
 
+  void note_changed(std::span<const TriangleId> elements) {
+    changed_.resize(at(mesh_.triangle_slots()), 0);
+    ++clock_;
+    for (const TriangleId t : elements) {
+      changed_[at(t)] = clock_;
+      unsplit_.erase(t);
+    }
+  }
+  /// Has anything around the element changed since its last visit failed?
+  bool is_worth_a_visit(TriangleId t) const {
+    if (failed_[at(t)] == 0) return true;
+    Star star;
+    for (int c = 0; c < 3; ++c) {
+      find_star(mesh_, mesh_.corner(t, c), star);
+      for (const HalfEdgeId h : star.outgoing)
+        if (changed_[at(triangle_of(h))] > failed_[at(t)]) return true;
+    }
+    return false;
+  }
+  /// A new option may help where the ones before it did not.
+  void forget_failures() {
+    std::fill(failed_.begin(), failed_.end(), 0);
+    std::fill(failures_.begin(), failures_.end(), 0);
+    std::fill(searches_.begin(), searches_.end(), 0);
+  }
+
   /// Turns straight triangles back; true if any was.
   bool turn_back() {
     const std::size_t before = suspects_.size();
@@ -140,6 +171,7 @@ class Smoother {
       moves_.forget_touched();
       if (!moves_.turn_back(t)) continue;
       ++turned_back_;
+      note_changed(moves_.touched());
       suspects_.insert(suspects_.end(), moves_.touched().begin(), moves_.touched().end());
     }
     is_changed_ = is_changed_ || suspects_.size() > before;
@@ -153,14 +185,18 @@ class Smoother {
     if (options_.flips && before >= tangled_excess && !is_mended()) changed = moves_.flip_edges(t) || changed;
     if (options_.vertices && !is_mended()) changed = moves_.move_vertices(t) || changed;
     if (!changed && (before >= tangled_excess || searches_[at(t)]++ < most_searches)) changed = moves_.search_places(t);
-    if (!changed) last_[at(t)] = before;
-    if (!changed) return;
+    if (!changed) {
+      last_[at(t)] = before;
+      failed_[at(t)] = clock_;
+      ++failures_[at(t)];
+      return;
+    }
     is_changed_ = true;
     std::vector<TriangleId> touched = moves_.touched();
     std::sort(touched.begin(), touched.end());
     touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
     suspects_.insert(suspects_.end(), touched.begin(), touched.end());
-    for (const TriangleId u : touched) unsplit_.erase(u);
+    note_changed(touched);
     for (const TriangleId u : touched) {
       const double excess = moves_.movable_excess(u), last = last_[at(u)];
       if (excess > 1 && std::fabs(excess - last) > progress * last) queue_.push({excess, u});
@@ -223,7 +259,7 @@ class Smoother {
     for (const TriangleId t : elements)
       if (!unsplit_.contains(t) && !moves_.is_fine(t) && try_split(t, true) != Split::helps) unsplit_.insert(t);
     suspects_.insert(suspects_.end(), split_off_.begin(), split_off_.end());
-    for (const TriangleId t : split_off_) unsplit_.erase(t);
+    note_changed(split_off_);
     const bool any = !split_off_.empty();
     split_off_.insert(split_off_.end(), elements.begin(), elements.end());  // what is beside them may help these
     return any;
@@ -264,10 +300,11 @@ class Smoother {
   std::vector<TriangleId> left_;       // those of them that are too curved
   std::vector<TriangleId> split_off_;  // what the splits of this round have made or changed
   std::set<TriangleId> unsplit_;       // elements that a split does not help, as they are
-  std::vector<int> visits_, searches_;
+  std::vector<int> visits_, searches_, failures_;  // of each element; the last two as long as no option is added
+  std::vector<long> changed_, failed_;  // by the clock, when an element was last changed, or visited in vain; 0: never
   std::vector<double> last_;  // excess after the last visit; 0: none
   SmoothOutcome outcome_;
-  long visited_ = 0, turned_back_ = 0, splits_ = 0, on_curves_ = 0, needs_split_ = 0;
+  long clock_ = 1, visited_ = 0, turned_back_ = 0, splits_ = 0, on_curves_ = 0, needs_split_ = 0;
   bool is_changed_ = false, is_guarded_ = false;
 };
 

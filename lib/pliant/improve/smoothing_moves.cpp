@@ -91,6 +91,17 @@ void SmoothingMoves::rate(std::vector<double>& excesses) const {
   sort_down(excesses);
 }
 
+/// Into now_; false, and no more is measured, where one is above `most`.
+bool SmoothingMoves::rate_up_to(double most) {
+  now_.clear();
+  for (std::size_t e = 0; e < trial_.count(); ++e) {
+    now_.push_back(rating_of(e));
+    if (now_.back() > most) return false;
+  }
+  sort_down(now_);
+  return true;
+}
+
 /// Of elements as the mesh has them; nothing is measured where nothing is guarded.
 SmoothingMoves::PatchQuality SmoothingMoves::quality_of(std::span<const TriangleId> elements) const {
   if (!floor_) return {};
@@ -131,8 +142,7 @@ bool SmoothingMoves::take_best(double gain, std::span<const TriangleId> elements
   const auto attempt = [&](const auto& way) {
     if (best_.front() <= content) return;
     trial_.reset();
-    if (!way()) return;
-    rate(now_);
+    if (!way() || !rate_up_to(best_.front())) return;
     if (count_tangled(now_) > count_tangled(before_) || !is_worth_it(now_, best_, found ? least_gain : gain)) return;
     if (!keeps_quality()) return;
     best_ = now_;

@@ -64,6 +64,7 @@ class SmoothingMoves {
   double rating_of(std::size_t e) const;
   void rate_each(std::vector<double>& excesses) const;
   void rate(std::vector<double>& excesses) const;  // and sorts
+  bool rate_up_to(double most);
   bool place(std::span<const PointId> points, SmoothGoal goal, int rounds = 1);
   bool is_free(HalfEdgeId h) const;
   bool smooth_edge(HalfEdgeId h);
