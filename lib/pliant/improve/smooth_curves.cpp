@@ -43,8 +43,12 @@ class Smoother {
     for (TriangleId t = 0; t < mesh_.triangle_slots(); ++t)
       if (mesh_.is_alive(t) && !moves_.is_fine(t)) suspects_.push_back(t);
     const std::size_t too_curved = suspects_.size();
+    const std::vector<TriangleId> poor = suspects_;
+    std::vector<Point> places;
+    if (!poor.empty() && wanted_.keep_input != KeepInput::never) places = places_of_points();
     work(suspects_);
     left_ = still_curved();
+    if (!places.empty()) keep_input(poor, places);
     // Each option goes on from what the ones before it have left, and may not make it worse.
     if (wanted_.vertices) options_.vertices = true, work_on();
     if (wanted_.flips) options_.flips = true, work_on();
@@ -211,6 +215,30 @@ class Smoother {
     return left;
   }
 
+  // -- the mesh as it was
+
+  std::vector<Point> places_of_points() const {
+    std::vector<Point> places;
+    for (PointId p = 0; p < mesh_.point_slots(); ++p) places.push_back(mesh_.point(p));
+    return places;
+  }
+  /// So far points have moved, and nothing else has changed.
+  void keep_input(const std::vector<TriangleId>& poor, const std::vector<Point>& places) {
+    const auto matters = [this](TriangleId t) {
+      return wanted_.keep_input == KeepInput::where_curved || !is_valid(mesh_, t);
+    };
+    if (std::none_of(left_.begin(), left_.end(), matters)) return;
+    outcome_.input.emplace(mesh_);
+    for (PointId p = 0; p < mesh_.point_slots(); ++p) outcome_.input->set_point(p, places[at(p)]);
+    std::vector<std::pair<double, TriangleId>> others;
+    const SmoothingMoves then(*outcome_.input, options_);
+    for (const TriangleId t : poor)
+      if (!std::binary_search(left_.begin(), left_.end(), t)) others.emplace_back(-then.excess(t), t);
+    std::sort(others.begin(), others.end());
+    outcome_.input_poor = left_;
+    for (const auto& [excess, t] : others) outcome_.input_poor.push_back(t);
+  }
+
   // -- splits of edges on curves
 
   enum class Split { useless, makes_others_worse, helps };
@@ -296,13 +324,13 @@ class Smoother {
   SmoothOptions options_;  // what is allowed so far
   SmoothingMoves moves_;
   std::priority_queue<Entry> queue_;
-  std::vector<TriangleId> suspects_;   // all that were too curved or have been changed: no other one can be
-  std::vector<TriangleId> left_;       // those of them that are too curved
-  std::vector<TriangleId> split_off_;  // what the splits of this round have made or changed
-  std::set<TriangleId> unsplit_;       // elements that a split does not help, as they are
+  std::vector<TriangleId> suspects_;               // all that were too curved or have been changed: no other one can be
+  std::vector<TriangleId> left_;                   // those of them that are too curved
+  std::vector<TriangleId> split_off_;              // what the splits of this round have made or changed
+  std::set<TriangleId> unsplit_;                   // elements that a split does not help, as they are
   std::vector<int> visits_, searches_, failures_;  // of each element; the last two as long as no option is added
   std::vector<long> changed_, failed_;  // by the clock, when an element was last changed, or visited in vain; 0: never
-  std::vector<double> last_;  // excess after the last visit; 0: none
+  std::vector<double> last_;            // excess after the last visit; 0: none
   SmoothOutcome outcome_;
   long clock_ = 1, visited_ = 0, turned_back_ = 0, splits_ = 0, on_curves_ = 0, needs_split_ = 0;
   bool is_changed_ = false, is_guarded_ = false;
