@@ -48,7 +48,12 @@ struct SmoothOutcome {
 /// search); excesses below 0.8 count as 0.8, and what edges on curves turn by does not count (movable_excess). So the
 /// sorted list of the whole mesh falls with every change, and no sweep makes the worst element worse; no valid element
 /// becomes invalid unless another one becomes valid. An element is visited again when its excess has changed
-/// by a hundredth, at most `max_sweeps` times. It ends when no visit finds a change to keep.
+/// by a hundredth, at most `max_sweeps` times after each of these beginnings. It ends when no visit finds a change to
+/// keep.
+///
+/// `vertices`, `flips` and `split` begin, in this order, where what came before has left elements too curved, and keep
+/// a change only if neither the least shape nor the least scaled Jacobian of the mesh (LeastQuality) falls below what
+/// it was at this beginning, and no more elements are invalid: an option more never leaves a worse mesh.
 ///
 /// Edges and vertices on curves stay as they are, but for knots inserted by `split`. Fields: TrialPatch::apply, flips.
 /// Elements may be invalid before; what is left invalid is told.
