@@ -14,7 +14,7 @@ namespace {
 /// How many meshes of a degree: a few, or as many as PLIANT_SMOOTHINGS says.
 std::uint64_t mesh_count() {
   const char* const text = std::getenv("PLIANT_SMOOTHINGS");
-  return text ? static_cast<std::uint64_t>(std::atoi(text)) : 12;
+  return text ? static_cast<std::uint64_t>(std::atoi(text)) : 8;
 }
 
 struct Result {
