@@ -19,6 +19,11 @@ class GlobalSmoothing {
   /// option of local smoothing was given with it.
   void prepare();
   SmoothOutcome run(Mesh& mesh, bool vertices, const RefitOptions& refit);
+  /// A sentence, if --global would have made a better mesh of the input than local smoothing has: fewer elements
+  /// invalid, or as many, neither the least shape nor the least scaled Jacobian lower, and one of them higher. It is
+  /// tried: small meshes as a whole, of large ones what was too curved and the rings around it. Else empty, as in
+  /// builds without the smoother and where the outcome has no input.
+  std::string advice(SmoothOutcome& outcome, const Mesh& result, bool vertices) const;
 
  private:
   CLI::App* app_;

@@ -68,8 +68,12 @@ int main(int argc, char** argv) {
   add_projection_option(app, options.refit);
   FilterOptions filter;
   filter.accepts_tangled = true;
-  filter.prepare = [&](const ToolOptions&) {
+  filter.prepare = [&](const ToolOptions& tool) {
     global.prepare();
+    const bool is_reported = tool.verbose || !tool.report.empty();
+    options.keep_input = is_reported   ? KeepInput::where_curved
+                         : !keep_going ? KeepInput::where_invalid
+                                       : KeepInput::never;
     options.bounds.max_distortion = parse_positive("--max-distortion", distortion);
     options.bounds.max_peak = parse_positive("--max-peak", peak);
     options.bounds.min_shape_ratio = parse_positive("--min-shape-ratio", shape);
@@ -88,12 +92,15 @@ int main(int argc, char** argv) {
   return run_filter(
       app, argc, argv,
       [&](Mesh& mesh) {
-        const SmoothOutcome outcome = smooth(mesh);
+        SmoothOutcome outcome = smooth(mesh);
+        const std::string advice = global.is_wanted() ? "" : global.advice(outcome, mesh, options.vertices);
+        if (!advice.empty()) outcome.report.notes.push_back(advice);
         if (!outcome.invalid.empty() && !keep_going)
           throw NoResult(
               std::to_string(outcome.invalid.size()) +
               " elements stay invalid; --keep-going writes the mesh all the same" +
-              list_invalid(outcome, {options.vertices, options.flips, options.split}, place_resolution * mesh.size()));
+              list_invalid(outcome, {options.vertices, options.flips, options.split}, place_resolution * mesh.size()) +
+              (advice.empty() ? "" : "\n  " + advice));
         return outcome.report;
       },
       filter);

@@ -177,7 +177,7 @@ TEST_CASE("why an element stays as it is, is told with what would help", "[impro
   for (const UnmendedElement& left : outcome.unmended) CHECK(left.reason == Unmended::turned_over);
   CHECK(describe(Unmended::turned_over, {}).find("--vertices or --flips") != std::string::npos);
   const SmoothMeans all{true, true, true};
-  for (const Unmended reason :
-       {Unmended::smooth_corner, Unmended::needs_split, Unmended::turned_over, Unmended::no_better_place})
+  for (const Unmended reason : {Unmended::smooth_corner, Unmended::needs_split, Unmended::needs_refinement,
+                                Unmended::turned_over, Unmended::no_better_place})
     CHECK(describe(reason, all).find("--") == std::string::npos);
 }

@@ -48,6 +48,24 @@ run 0 smoothcurves --global --vertices far.json
 cp out smooth.json
 run 0 qualityreport --fail-if 'invalid > 0' smooth.json
 
+# Elements are left, and --global would have done better: it is said, by -v and in the report, and it is so.
+flow='max(0,1-x^2-y^2)*0.12'
+advect --vx="-($flow)*cos(10*x)*sin(10*y)" --vy="($flow)*sin(10*x)*cos(10*y)" --dt 1 --force fine.json >bent.json 2>/dev/null
+smoothcurves -v --report report.json -o local.json bent.json 2>err || fail 'the bent mesh'
+word='--global in place of the local smoother does better: 0 elements not valid, least scaled Jacobian '
+grep -q -e "$word" err || fail "nothing is said of --global: $(cat err)"
+grep -q -e "$word" report.json || fail 'nothing is said of --global in the report'
+said=$(grep -o -e "$word[0-9.]*" err | head -n 1 | grep -o '[0-9.]*$')
+smoothcurves --global -o global.json bent.json
+[ "$(qualityreport -q --format json global.json | python3 -c '
+import json, sys
+print("%.4g" % json.load(sys.stdin)["scaled_jacobian"]["min"])')" = "$said" ] || fail "--global does not reach $said"
+smoothcurves_without_ceres -v -o absent.json bent.json 2>err
+if grep -q -e --global err; then fail 'a build without the global smoother recommends it'; fi
+# Nothing is left: nothing is said.
+smoothcurves -v -o absent.json disk.json 2>err
+if grep -q -e --global err; then fail 'advice where nothing is left'; fi
+
 # What stays invalid fails, and nothing is written unless it is asked for.
 sample_mesh tangled 1 >hopeless.json
 if ! qualityreport --fail-if 'invalid > 0' hopeless.json >/dev/null 2>&1; then

@@ -48,6 +48,7 @@ RemovalForecast::RemovalForecast(Mesh& mesh, const QualityGoals& goals, const Cu
       slated_(slated),
       patch_(mesh),
       least_sine_(std::sin(goals.min_angle * std::numbers::pi / 180) * (1 - slack)) {
+  is_poor_asked_ = goals.min_angle > 0 && !goals.keeps_thin;  // what crosses a thin gap may be poor
   bounds_area_ = goals.max_area < HUGE_VAL ||
                  std::any_of(goals.face_area.begin(), goals.face_area.end(), [](double a) { return a < HUGE_VAL; });
 }
@@ -103,7 +104,7 @@ const char* RemovalForecast::reason_of(const LogicalPatch::Piece& piece) const {
   const Point &a = patch_.place(piece.corners[0]), &b = patch_.place(piece.corners[1]),
               &c = patch_.place(piece.corners[2]);
   const char* reason = is_surely_large(piece.face, piece.corners, a, b, c) ? "too large"
-                       : goals_.min_angle > 0 && is_surely_poor(a, b, c)   ? "too poor"
+                       : is_poor_asked_ && is_surely_poor(a, b, c)         ? "too poor"
                                                                            : nullptr;
   if (reason == nullptr || piece.is_new) return reason;
   return attack_reason(mesh_, piece.triangle, goals_) ? nullptr : reason;

@@ -72,7 +72,7 @@ class RemovalForecast {
   LogicalPatch patch_;
   ForeseenCurves foreseen_;
   double least_sine_ = 0;
-  bool bounds_area_ = false;
+  bool bounds_area_ = false, is_poor_asked_ = false;
 };
 
 }  // namespace pliant

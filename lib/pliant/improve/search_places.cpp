@@ -79,11 +79,14 @@ bool SmoothingMoves::search_places(TriangleId t) {
           else
             trial_.move(p, trial_.point(p) + shift);
           trial_excesses_ = excesses_;
-          for (std::size_t e = 0; e < trial_.count(); ++e)
-            if (trial_.has(e, p)) trial_excesses_[e] = rating_of(e);
-          now_ = trial_excesses_;
-          std::sort(now_.begin(), now_.end(), std::greater<>());
-          if (now_ < best_ && count_tangled(now_) <= count_tangled(before_)) {
+          bool is_worse = false;  // than the worst there is: the others need not be measured
+          for (std::size_t e = 0; e < trial_.count() && !is_worse; ++e)
+            if (trial_.has(e, p)) is_worse = (trial_excesses_[e] = rating_of(e)) > best_.front();
+          if (!is_worse) {
+            now_ = trial_excesses_;
+            std::sort(now_.begin(), now_.end(), std::greater<>());
+          }
+          if (!is_worse && now_ < best_ && count_tangled(now_) <= count_tangled(before_) && keeps_quality()) {
             best_ = now_;
             excesses_ = trial_excesses_;
             found = true;

@@ -19,6 +19,7 @@ constexpr double progress = 1e-2;  // an element whose excess fell by this much 
 constexpr int most_rounds = 10;    // of splits, or of straight triangles turned back
 constexpr int child_rounds = 3;    // of smoothing the elements that a split makes
 constexpr int most_searches = 4;   // of a valid element: they cost more than all the rest
+constexpr int most_failures = 4;   // visits of a valid element that find nothing, whatever changes around it
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
@@ -32,22 +33,28 @@ struct Entry {
 
 class Smoother {
  public:
-  Smoother(Mesh& mesh, const SmoothOptions& options) : mesh_(mesh), options_(options), moves_(mesh, options) {}
+  Smoother(Mesh& mesh, const SmoothOptions& options)
+      : mesh_(mesh), wanted_(options), options_(options), moves_(mesh, options_) {
+    options_.vertices = options_.flips = options_.split = false;
+  }
 
   SmoothOutcome run() {
     if (options_.progress != nullptr) options_.progress->start("smooth", "visits");
     for (TriangleId t = 0; t < mesh_.triangle_slots(); ++t)
       if (mesh_.is_alive(t) && !moves_.is_fine(t)) suspects_.push_back(t);
     const std::size_t too_curved = suspects_.size();
+    const std::vector<TriangleId> poor = suspects_;
+    std::vector<Point> places;
+    if (!poor.empty() && wanted_.keep_input != KeepInput::never) places = places_of_points();
     work(suspects_);
-    for (int round = 0; round < most_rounds && turn_back(); ++round) work(suspects_);
+    left_ = still_curved();
+    if (!places.empty()) keep_input(poor, places);
+    // Each option goes on from what the ones before it have left, and may not make it worse.
+    if (wanted_.vertices) options_.vertices = true, work_on();
+    if (wanted_.flips) options_.flips = true, work_on();
+    if (wanted_.split) options_.split = true, split_on();
     if (!suspects_.empty()) {
-      std::vector<TriangleId> left = still_curved();
-      for (int round = 0; options_.split && round < most_rounds && split_edges(left); ++round) {
-        work(split_off_);
-        left = still_curved();
-      }
-      judge(left);
+      judge();
       if (is_changed_) mesh_.compact();
     }
     PassReport& report = outcome_.report;
@@ -65,7 +72,7 @@ class Smoother {
     report.add("triangles", mesh_.triangle_count());
     for (const auto& [reason, times] : moves_.refusals) report.refuse(reason, times);
     for (const UnmendedElement& element : outcome_.unmended)
-      report.refuse(describe(element.reason, {options_.vertices, options_.flips, options_.split}), element.place);
+      report.refuse(describe(element.reason, {wanted_.vertices, wanted_.flips, wanted_.split}), element.place);
     return std::move(outcome_);
   }
 
@@ -80,17 +87,20 @@ class Smoother {
   void work(std::span<const TriangleId> elements) {
     if (elements.empty()) return;
     visits_.assign(at(mesh_.triangle_slots()), 0);
-    searches_.assign(at(mesh_.triangle_slots()), 0);
     last_.assign(at(mesh_.triangle_slots()), 0);
+    searches_.resize(at(mesh_.triangle_slots()), 0);
+    changed_.resize(at(mesh_.triangle_slots()), 0);
+    failed_.resize(at(mesh_.triangle_slots()), 0);
+    failures_.resize(at(mesh_.triangle_slots()), 0);
     for (const TriangleId t : elements)
-      if (const double excess = moves_.movable_excess(t); excess > 1) queue_.push({excess, t});
+      if (const double excess = moves_.movable_excess(t); excess > 1 && is_worth_a_visit(t)) queue_.push({excess, t});
     while (!queue_.empty()) {
       const Entry entry = queue_.top();
       queue_.pop();
       const TriangleId t = entry.triangle;
       if (visits_[at(t)] >= options_.max_sweeps) continue;
       const double before = moves_.movable_excess(t);
-      if (before <= 1) continue;
+      if (before <= 1 || (before < tangled_excess && failures_[at(t)] >= most_failures)) continue;
       if (before < entry.excess) {  // better than when it was queued: its turn comes later
         queue_.push({before, t});
         continue;
@@ -103,15 +113,69 @@ class Smoother {
     suspects_.erase(std::unique(suspects_.begin(), suspects_.end()), suspects_.end());
   }
 
-  /// Turns straight triangles back where vertices or flips are allowed; true if any was.
+  /// Of what is left, all that has become allowed; and straight triangles turned back.
+  void work_on() {
+    is_guarded_ = false;
+    if (!left_.empty()) {
+      guard();
+      forget_failures();
+      work(left_);
+    }
+    for (int round = 0; round < most_rounds && turn_back(); ++round) work(suspects_);
+    left_ = still_curved();
+  }
+  void split_on() {
+    if (left_.empty()) return;
+    is_guarded_ = false;
+    guard();
+    for (int round = 0; round < most_rounds && !left_.empty() && split_edges(left_); ++round) {
+      work(split_off_);
+      left_ = still_curved();
+    }
+  }
+  /// Neither the least shape nor the least scaled Jacobian of the mesh falls from here on.
+  void guard() {
+    if (is_guarded_) return;
+    moves_.guard(least_quality_of_mesh(mesh_, left_));
+    is_guarded_ = true;
+  }
+
+  void note_changed(std::span<const TriangleId> elements) {
+    changed_.resize(at(mesh_.triangle_slots()), 0);
+    ++clock_;
+    for (const TriangleId t : elements) {
+      changed_[at(t)] = clock_;
+      unsplit_.erase(t);
+    }
+  }
+  /// Has anything around the element changed since its last visit failed?
+  bool is_worth_a_visit(TriangleId t) const {
+    if (failed_[at(t)] == 0) return true;
+    Star star;
+    for (int c = 0; c < 3; ++c) {
+      find_star(mesh_, mesh_.corner(t, c), star);
+      for (const HalfEdgeId h : star.outgoing)
+        if (changed_[at(triangle_of(h))] > failed_[at(t)]) return true;
+    }
+    return false;
+  }
+  /// A new option may help where the ones before it did not.
+  void forget_failures() {
+    std::fill(failed_.begin(), failed_.end(), 0);
+    std::fill(failures_.begin(), failures_.end(), 0);
+    std::fill(searches_.begin(), searches_.end(), 0);
+  }
+
+  /// Turns straight triangles back; true if any was.
   bool turn_back() {
-    if (!options_.vertices && !options_.flips) return false;
     const std::size_t before = suspects_.size();
     for (TriangleId t = 0; t < mesh_.triangle_slots(); ++t) {
       if (!mesh_.is_alive(t) || !moves_.is_turned_over(t)) continue;
+      guard();
       moves_.forget_touched();
       if (!moves_.turn_back(t)) continue;
       ++turned_back_;
+      note_changed(moves_.touched());
       suspects_.insert(suspects_.end(), moves_.touched().begin(), moves_.touched().end());
     }
     is_changed_ = is_changed_ || suspects_.size() > before;
@@ -125,14 +189,18 @@ class Smoother {
     if (options_.flips && before >= tangled_excess && !is_mended()) changed = moves_.flip_edges(t) || changed;
     if (options_.vertices && !is_mended()) changed = moves_.move_vertices(t) || changed;
     if (!changed && (before >= tangled_excess || searches_[at(t)]++ < most_searches)) changed = moves_.search_places(t);
-    if (!changed) last_[at(t)] = before;
-    if (!changed) return;
+    if (!changed) {
+      last_[at(t)] = before;
+      failed_[at(t)] = clock_;
+      ++failures_[at(t)];
+      return;
+    }
     is_changed_ = true;
     std::vector<TriangleId> touched = moves_.touched();
     std::sort(touched.begin(), touched.end());
     touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
     suspects_.insert(suspects_.end(), touched.begin(), touched.end());
-    for (const TriangleId u : touched) unsplit_.erase(u);
+    note_changed(touched);
     for (const TriangleId u : touched) {
       const double excess = moves_.movable_excess(u), last = last_[at(u)];
       if (excess > 1 && std::fabs(excess - last) > progress * last) queue_.push({excess, u});
@@ -147,21 +215,50 @@ class Smoother {
     return left;
   }
 
+  // -- the mesh as it was
+
+  std::vector<Point> places_of_points() const {
+    std::vector<Point> places;
+    for (PointId p = 0; p < mesh_.point_slots(); ++p) places.push_back(mesh_.point(p));
+    return places;
+  }
+  /// So far points have moved, and nothing else has changed.
+  void keep_input(const std::vector<TriangleId>& poor, const std::vector<Point>& places) {
+    const auto matters = [this](TriangleId t) {
+      return wanted_.keep_input == KeepInput::where_curved || !is_valid(mesh_, t);
+    };
+    if (std::none_of(left_.begin(), left_.end(), matters)) return;
+    outcome_.input.emplace(mesh_);
+    for (PointId p = 0; p < mesh_.point_slots(); ++p) outcome_.input->set_point(p, places[at(p)]);
+    std::vector<std::pair<double, TriangleId>> others;
+    const SmoothingMoves then(*outcome_.input, options_);
+    for (const TriangleId t : poor)
+      if (!std::binary_search(left_.begin(), left_.end(), t)) others.emplace_back(-then.excess(t), t);
+    std::sort(others.begin(), others.end());
+    outcome_.input_poor = left_;
+    for (const auto& [excess, t] : others) outcome_.input_poor.push_back(t);
+  }
+
   // -- splits of edges on curves
 
+  enum class Split { useless, makes_others_worse, helps };
+
   /// Splits an edge of the element that is on a curve, smooths what comes of it, and tells whether the worst of it is
-  /// better than the worst there was. Undone unless it is and `keep` is set.
-  bool split_helps(TriangleId t, bool keep) {
+  /// better than the worst there was, and at least as good as what is guarded. Undone unless it is and `keep` is set.
+  Split try_split(TriangleId t, bool keep) {
+    Split result = Split::useless;
     for (int e = 0; e < 3; ++e) {
       const HalfEdgeId h = half_edge(t, e), g = mesh_.twin(h);
       if (!mesh_.is_constrained(h)) continue;
       const double before = std::max(moves_.excess(t), g == none ? 1.0 : moves_.excess(triangle_of(g)));
+      const std::array<TriangleId, 2> sides{t, g == none ? t : triangle_of(g)};
+      const auto quality = moves_.quality_of(std::span(sides).first(g == none ? 1 : 2));
       moves_.forget_touched();
       Transaction trial(mesh_);
-      const InsertResult result = split_edge(mesh_, h, 0.5);
-      if (result.refusal != Refusal::done) continue;
+      const InsertResult made = split_edge(mesh_, h, 0.5);
+      if (made.refusal != Refusal::done) continue;
       Star star;
-      find_star(mesh_, result.vertex, star);
+      find_star(mesh_, made.vertex, star);
       std::vector<TriangleId> children;
       for (const HalfEdgeId out : star.outgoing) children.push_back(triangle_of(out));
       for (int round = 0; round < child_rounds; ++round)
@@ -170,23 +267,27 @@ class Smoother {
       double now = 0;
       for (const TriangleId child : children) now = std::max(now, moves_.excess(child));
       if (!(now < before * (1 - progress))) continue;
-      if (!keep) return true;
+      if (!moves_.keeps(moves_.quality_of(children), quality)) {
+        result = Split::makes_others_worse;
+        continue;
+      }
+      if (!keep) return Split::helps;
       trial.commit();
       ++splits_;
       is_changed_ = true;
       split_off_.insert(split_off_.end(), children.begin(), children.end());
       split_off_.insert(split_off_.end(), moves_.touched().begin(), moves_.touched().end());
-      return true;
+      return Split::helps;
     }
-    return false;
+    return result;
   }
   /// Splits what splitting helps, of elements that have changed since it did not.
   bool split_edges(const std::vector<TriangleId>& elements) {
     split_off_.clear();
     for (const TriangleId t : elements)
-      if (!unsplit_.contains(t) && !moves_.is_fine(t) && !split_helps(t, true)) unsplit_.insert(t);
+      if (!unsplit_.contains(t) && !moves_.is_fine(t) && try_split(t, true) != Split::helps) unsplit_.insert(t);
     suspects_.insert(suspects_.end(), split_off_.begin(), split_off_.end());
-    for (const TriangleId t : split_off_) unsplit_.erase(t);
+    note_changed(split_off_);
     const bool any = !split_off_.empty();
     split_off_.insert(split_off_.end(), elements.begin(), elements.end());  // what is beside them may help these
     return any;
@@ -194,36 +295,45 @@ class Smoother {
 
   // -- what is left
 
-  void judge(const std::vector<TriangleId>& left) {
-    for (const TriangleId t : left) {
+  void judge() {
+    // Of a mesh that no option made guard, what is left is the floor: as strict or stricter, and nothing to look for.
+    if (!is_guarded_) moves_.guard(least_quality(mesh_, left_));
+    for (const TriangleId t : left_) {
       UnmendedElement element = explain_unmended(mesh_, t);
-      if (element.reason != Unmended::smooth_corner && needs_split(t)) element.reason = Unmended::needs_split;
+      if (element.reason != Unmended::smooth_corner) {
+        const Split split = effect_of_split(t);
+        if (split == Split::helps) element.reason = Unmended::needs_split;
+        if (split == Split::makes_others_worse) element.reason = Unmended::needs_refinement;
+      }
       outcome_.unmended.push_back(element);
       if (!is_valid(mesh_, t)) outcome_.invalid.push_back(t);
       on_curves_ += has_constrained_edge(t);
       needs_split_ += element.reason == Unmended::needs_split;
     }
   }
-  bool needs_split(TriangleId t) {
-    if (!has_constrained_edge(t)) return false;
+  Split effect_of_split(TriangleId t) {
+    if (!has_constrained_edge(t)) return Split::useless;
     const auto counts = std::tuple(moves_.edges_smoothed, moves_.refusals);
-    const bool helps = split_helps(t, false);
+    const Split effect = try_split(t, false);
     std::tie(moves_.edges_smoothed, moves_.refusals) = counts;
-    return helps;
+    return effect;
   }
 
   Mesh& mesh_;
-  const SmoothOptions& options_;
+  const SmoothOptions& wanted_;
+  SmoothOptions options_;  // what is allowed so far
   SmoothingMoves moves_;
   std::priority_queue<Entry> queue_;
-  std::vector<TriangleId> suspects_;   // all that were too curved or have been changed: no other one can be
-  std::vector<TriangleId> split_off_;  // what the splits of this round have made or changed
-  std::set<TriangleId> unsplit_;       // elements that a split does not help, as they are
-  std::vector<int> visits_, searches_;
-  std::vector<double> last_;  // excess after the last visit; 0: none
+  std::vector<TriangleId> suspects_;               // all that were too curved or have been changed: no other one can be
+  std::vector<TriangleId> left_;                   // those of them that are too curved
+  std::vector<TriangleId> split_off_;              // what the splits of this round have made or changed
+  std::set<TriangleId> unsplit_;                   // elements that a split does not help, as they are
+  std::vector<int> visits_, searches_, failures_;  // of each element; the last two as long as no option is added
+  std::vector<long> changed_, failed_;  // by the clock, when an element was last changed, or visited in vain; 0: never
+  std::vector<double> last_;            // excess after the last visit; 0: none
   SmoothOutcome outcome_;
-  long visited_ = 0, turned_back_ = 0, splits_ = 0, on_curves_ = 0, needs_split_ = 0;
-  bool is_changed_ = false;
+  long clock_ = 1, visited_ = 0, turned_back_ = 0, splits_ = 0, on_curves_ = 0, needs_split_ = 0;
+  bool is_changed_ = false, is_guarded_ = false;
 };
 
 }  // namespace

@@ -1,4 +1,5 @@
 #pragma once  // lib/pliant/improve/smooth_curves.h: elements too curved, worst first (paper §5.3.4)
+#include <optional>
 #include <vector>
 
 #include "pliant/geometry/optimal_placement.h"
@@ -11,6 +12,9 @@
 
 namespace pliant {
 
+/// Whether the outcome has the mesh as it was given, for a trial of another smoother.
+enum class KeepInput { never, where_invalid, where_curved };
+
 struct SmoothOptions {
   CurvatureBounds bounds;
   PlacementMeasure measure = PlacementMeasure::element;  ///< what optimal placement looks at
@@ -20,12 +24,16 @@ struct SmoothOptions {
   bool split = false;   ///< split constrained edges of elements that nothing else can mend
   int max_sweeps = 20;  ///< visits of one element
   RefitOptions refit;
-  Progress* progress = nullptr;  ///< counts visits
+  KeepInput keep_input = KeepInput::never;  ///< where elements are invalid, or too curved, by edges alone
+  Progress* progress = nullptr;             ///< counts visits
 };
 
 struct SmoothOutcome {
   std::vector<TriangleId> invalid;        ///< elements left invalid or degenerate, ascending
   std::vector<UnmendedElement> unmended;  ///< elements left too curved, those among them, ascending
+  std::optional<Mesh> input;              ///< the mesh as it was, by SmoothOptions::keep_input; fields are not kept
+  std::vector<TriangleId>
+      input_poor;  ///< elements of it: those that edges alone left too curved, then others, worst first
   PassReport report;
 };
 
@@ -40,7 +48,12 @@ struct SmoothOutcome {
 /// search); excesses below 0.8 count as 0.8, and what edges on curves turn by does not count (movable_excess). So the
 /// sorted list of the whole mesh falls with every change, and no sweep makes the worst element worse; no valid element
 /// becomes invalid unless another one becomes valid. An element is visited again when its excess has changed
-/// by a hundredth, at most `max_sweeps` times. It ends when no visit finds a change to keep.
+/// by a hundredth, at most `max_sweeps` times after each of these beginnings. It ends when no visit finds a change to
+/// keep.
+///
+/// `vertices`, `flips` and `split` begin, in this order, where what came before has left elements too curved, and keep
+/// a change only if neither the least shape nor the least scaled Jacobian of the mesh (LeastQuality) falls below what
+/// it was at this beginning, and no more elements are invalid: an option more never leaves a worse mesh.
 ///
 /// Edges and vertices on curves stay as they are, but for knots inserted by `split`. Fields: TrialPatch::apply, flips.
 /// Elements may be invalid before; what is left invalid is told.

@@ -33,15 +33,17 @@ class GlobalSmoother {
 
   GlobalSmoothOutcome run() {
     std::vector<TriangleId> poor, bad;
-    for (TriangleId t = 0; t < mesh_.triangle_slots(); ++t) {
-      if (!mesh_.is_alive(t)) continue;
+    const auto judge = [&](TriangleId t) {
+      if (!mesh_.is_alive(t)) return;
       FreePoints::Net net;
       mesh_.gather_points(t, net);
       const std::span<const Point> points{net.data(), at(mesh_.net_size())};
       const bool is_valid = certify_element(mesh_.boundary(), mesh_.degree(), points) == Validity::valid;
       if (!is_valid) bad.push_back(t);
       if (!is_valid || evenness(points) < options_.good) poor.push_back(t);
-    }
+    };
+    for (TriangleId t = 0; options_.only.empty() && t < mesh_.triangle_slots(); ++t) judge(t);
+    for (const TriangleId t : options_.only) judge(t);
     const std::vector<TriangleId> elements = grow(poor, options_.rings);
     if (!elements.empty()) {
       FreePoints points(mesh_);
@@ -55,6 +57,8 @@ class GlobalSmoother {
     const InvalidElements left = find_invalid(mesh_);
     outcome.invalid = left.invalid;
     outcome.invalid.insert(outcome.invalid.end(), left.degenerate.begin(), left.degenerate.end());
+    std::sort(outcome.invalid.begin(), outcome.invalid.end());
+    outcome.elements = elements;
     PassReport& report = outcome.report;
     report.add("not_good", static_cast<double>(poor.size()));
     report.add("elements_smoothed", static_cast<double>(elements.size()));

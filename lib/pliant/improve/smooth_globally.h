@@ -1,5 +1,6 @@
 #pragma once  // lib/pliant/improve/smooth_globally.h: all free control points at once, towards the least deformation
               // energy
+#include <span>
 #include <vector>
 
 #include "pliant/mesh/mesh.h"
@@ -10,14 +11,16 @@
 namespace pliant {
 
 struct GlobalSmoothOptions {
-  bool vertices = false;  ///< inner vertices move, too
-  double good = 0.999;    ///< elements with a scaled Jacobian above this, and away from worse ones, stay
-  int rings = 3;          ///< how many rings of elements around worse ones move with them
+  bool vertices = false;             ///< inner vertices move, too
+  double good = 0.999;               ///< elements with a scaled Jacobian above this, and away from worse ones, stay
+  int rings = 3;                     ///< how many rings of elements around worse ones move with them
+  std::span<const TriangleId> only;  ///< unless empty: only these, and the rings around them, may move
   RefitOptions refit;
   Progress* progress = nullptr;  ///< told the steps of the minimisation
 };
 struct GlobalSmoothOutcome {
-  std::vector<TriangleId> invalid;  ///< elements left invalid (numbers in the compacted mesh)
+  std::vector<TriangleId> invalid;   ///< elements left invalid, ascending (numbers in the compacted mesh)
+  std::vector<TriangleId> elements;  ///< those whose points could move, ascending (numbers before)
   PassReport report;
 };
 

@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "pliant/geometry/linear_triangle.h"
+#include "pliant/mesh/check_mesh.h"
 #include "pliant/ops/build_triangle.h"
 #include "pliant/ops/flip_edge.h"
 
@@ -90,6 +91,44 @@ void SmoothingMoves::rate(std::vector<double>& excesses) const {
   sort_down(excesses);
 }
 
+/// Into now_; false, and no more is measured, where one is above `most`.
+bool SmoothingMoves::rate_up_to(double most) {
+  now_.clear();
+  for (std::size_t e = 0; e < trial_.count(); ++e) {
+    now_.push_back(rating_of(e));
+    if (now_.back() > most) return false;
+  }
+  sort_down(now_);
+  return true;
+}
+
+/// Of elements as the mesh has them; nothing is measured where nothing is guarded.
+SmoothingMoves::PatchQuality SmoothingMoves::quality_of(std::span<const TriangleId> elements) const {
+  if (!floor_) return {};
+  PatchQuality quality{least_quality(mesh_, elements), 0};
+  for (const TriangleId t : elements) quality.invalid += certify_element(mesh_, t) != Validity::valid;
+  return quality;
+}
+
+bool SmoothingMoves::keeps(const PatchQuality& now, const PatchQuality& before) const {
+  return !floor_ || (now.invalid <= before.invalid && now.least.is_at_least(least_of(before.least, *floor_)));
+}
+
+/// Of the elements on trial, rated before: as they are there against what the mesh has.
+bool SmoothingMoves::keeps_quality() {
+  if (!floor_) return true;
+  const bool some_tangled = now_.front() >= tangled_excess;
+  PatchQuality now;
+  for (std::size_t e = 0; e < trial_.count(); ++e) {
+    now.least = least_of(now.least, element_quality(mesh_.degree(), trial_.net(e)));
+    now.invalid += some_tangled && certify_element(mesh_.boundary(), mesh_.degree(), trial_.net(e)) != Validity::valid;
+  }
+  if (!some_tangled && now.least.is_at_least(*floor_)) return true;
+  on_trial_.clear();
+  for (std::size_t e = 0; e < trial_.count(); ++e) on_trial_.push_back(trial_.element(e));
+  return keeps(now, quality_of(on_trial_));
+}
+
 /// Tries each way on a copy of the elements' nets, until one leaves nothing to wish for, and takes the best one if it
 /// is better than what there is. A way changes `trial_`, and returns false where it has nothing to offer.
 template <class... Ways>
@@ -103,9 +142,9 @@ bool SmoothingMoves::take_best(double gain, std::span<const TriangleId> elements
   const auto attempt = [&](const auto& way) {
     if (best_.front() <= content) return;
     trial_.reset();
-    if (!way()) return;
-    rate(now_);
+    if (!way() || !rate_up_to(best_.front())) return;
     if (count_tangled(now_) > count_tangled(before_) || !is_worth_it(now_, best_, found ? least_gain : gain)) return;
+    if (!keeps_quality()) return;
     best_ = now_;
     best_nets_ = trial_.nets();
     found = true;
@@ -211,6 +250,8 @@ bool SmoothingMoves::flip_edges(TriangleId t) {
       sort_down(excesses);
     };
     rate_pair(before_);
+    const std::array<TriangleId, 2> pair{t, u};
+    const PatchQuality quality = quality_of(pair);
     Transaction trial(mesh_);
     const Refusal outcome = flip_edge(mesh_, h, options_.refit);
     if (outcome != Refusal::done) {
@@ -219,8 +260,9 @@ bool SmoothingMoves::flip_edges(TriangleId t) {
     }
     rate_pair(now_);
     if (count_tangled(now_) > count_tangled(before_) || !is_worth_it(now_, before_)) continue;
+    if (!keeps(quality_of(pair), quality)) continue;
     trial.commit();
-    touched_.insert(touched_.end(), {t, u});
+    touched_.insert(touched_.end(), pair.begin(), pair.end());
     ++flips;
     return true;
   }

@@ -2,6 +2,7 @@
               // smooth_curves)
 #include <array>
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -10,6 +11,7 @@
 #include "pliant/improve/smooth_curves.h"
 #include "pliant/mesh/star.h"
 #include "pliant/ops/trial_patch.h"
+#include "pliant/quality/least_quality.h"
 
 namespace pliant {
 
@@ -39,6 +41,15 @@ class SmoothingMoves {
   /// Of an element whose straight triangle is turned over, by what the options allow: fewer are, no element is worse.
   bool turn_back(TriangleId t);
   bool is_turned_over(TriangleId t) const;
+  /// From now on no change leaves an element below `floor` in shape or scaled Jacobian, unless the worst of the
+  /// elements that it touches was so before and is no worse after it; and none leaves more elements invalid.
+  void guard(const LeastQuality& floor) { floor_ = floor; }
+  struct PatchQuality {
+    LeastQuality least;
+    int invalid = 0;
+  };
+  PatchQuality quality_of(std::span<const TriangleId> elements) const;
+  bool keeps(const PatchQuality& now, const PatchQuality& before) const;
   const std::vector<TriangleId>& touched() const { return touched_; }
   void forget_touched() { touched_.clear(); }
 
@@ -48,10 +59,12 @@ class SmoothingMoves {
  private:
   template <class... Ways>
   bool take_best(double gain, std::span<const TriangleId> elements, const Ways&... ways);
+  bool keeps_quality();
   unsigned fixed_edges(TriangleId t) const;
   double rating_of(std::size_t e) const;
   void rate_each(std::vector<double>& excesses) const;
   void rate(std::vector<double>& excesses) const;  // and sorts
+  bool rate_up_to(double most);
   bool place(std::span<const PointId> points, SmoothGoal goal, int rounds = 1);
   bool is_free(HalfEdgeId h) const;
   bool smooth_edge(HalfEdgeId h);
@@ -59,18 +72,20 @@ class SmoothingMoves {
   bool smooth_interior(TriangleId t);
   bool move_vertex(PointId v, const Vector& away);
   Vector shift_of(PointId v);
+  std::vector<double> excesses_of(std::span<const TriangleId> elements) const;  // sorted
   bool turn_back_by_vertex(PointId v);
   bool turn_back_by_flip(HalfEdgeId h);
 
   Mesh& mesh_;
   const SmoothOptions& options_;
   CurvatureTest test_, content_test_;
+  std::optional<LeastQuality> floor_;
   TrialPatch trial_;
   TrialPatch::Nets best_nets_;
   std::vector<double> before_, now_, best_, excesses_, trial_excesses_;
   std::vector<std::array<Point, 3>> triangles_;  // of shift_of
   std::vector<PlacementElement> straight_;
-  std::vector<TriangleId> touched_, around_;
+  std::vector<TriangleId> touched_, around_, on_trial_;
   std::vector<PointId> points_;
   std::vector<std::pair<PointId, bool>> movable_;  // by search_places: a point, and whether it drags others along
   Star star_;

@@ -9,6 +9,8 @@
 namespace pliant {
 namespace {
 
+constexpr int smoothing_rounds = 3;  // of the edges around a vertex that turns triangles back
+
 bool is_turned_over(const Point& a, const Point& b, const Point& c) { return orient2d(a, b, c) <= 0; }
 
 /// No element is worse for it, from the worst on; what is fine may become less so.
@@ -27,6 +29,13 @@ bool SmoothingMoves::is_turned_over(TriangleId t) const {
                                 mesh_.point(mesh_.corner(t, 2)));
 }
 
+std::vector<double> SmoothingMoves::excesses_of(std::span<const TriangleId> elements) const {
+  std::vector<double> excesses;
+  for (const TriangleId t : elements) excesses.push_back(movable_excess(t));
+  std::sort(excesses.begin(), excesses.end(), std::greater<>());
+  return excesses;
+}
+
 bool SmoothingMoves::turn_back(TriangleId t) {
   if (options_.vertices)
     for (int c = 0; c < 3; ++c)
@@ -37,15 +46,21 @@ bool SmoothingMoves::turn_back(TriangleId t) {
   return false;
 }
 
-/// Fewer of the straight triangles around the vertex are turned over, and the elements are no worse.
+/// Fewer of the straight triangles around the vertex are turned over, and the elements are no worse, if need be after
+/// their edges are smoothed.
 bool SmoothingMoves::turn_back_by_vertex(PointId v) {
   find_star(mesh_, v, star_);
   if (!star_.is_closed || is_on_curve(mesh_, star_)) return false;
-  around_.clear();
-  for (const HalfEdgeId h : star_.outgoing) around_.push_back(triangle_of(h));
+  std::vector<TriangleId> star, region;
+  for (const HalfEdgeId h : star_.outgoing) star.push_back(triangle_of(h));
+  region = star;
+  for (const HalfEdgeId h : star_.outgoing)
+    if (const HalfEdgeId g = mesh_.twin(next(h)); g != none) region.push_back(triangle_of(g));
+  std::sort(region.begin(), region.end());
+  region.erase(std::unique(region.begin(), region.end()), region.end());
+  const std::vector<HalfEdgeId> spokes = star_.outgoing;
   const Vector best = shift_of(v);
-  trial_.capture(mesh_, around_);
-  const auto count_turned_over = [this] {
+  const auto count_turned_over = [&] {
     int count = 0;
     for (std::size_t e = 0; e < trial_.count(); ++e) {
       const auto net = trial_.net(e);
@@ -53,19 +68,39 @@ bool SmoothingMoves::turn_back_by_vertex(PointId v) {
     }
     return count;
   };
+  trial_.capture(mesh_, star);
   const int turned_over = count_turned_over();
-  rate(before_);
+  const std::vector<double> before = excesses_of(region);
+  const PatchQuality quality = quality_of(region);
   for (const bool straight : {true, false})
     for (const double share : {1.0, 0.7, 0.5, 0.3}) {
-      trial_.reset();
+      trial_.capture(mesh_, star);
       trial_.drag(v, share * best);
       if (count_turned_over() >= turned_over) continue;
-      for (const HalfEdgeId h : star_.outgoing)
+      for (const HalfEdgeId h : spokes)
         if (straight) trial_.straighten(mesh_, h, 0);
-      rate(now_);
-      if (count_tangled(now_) > count_tangled(before_) || !is_no_worse(now_, before_)) continue;
-      if (trial_.apply(mesh_, options_.refit, now_.front() < tangled_excess) != Refusal::done) continue;
-      touched_.insert(touched_.end(), around_.begin(), around_.end());
+      Transaction attempt(mesh_);
+      const std::size_t touched = touched_.size();
+      if (trial_.apply(mesh_, options_.refit, before.front() < tangled_excess) != Refusal::done) continue;
+      const auto is_kept = [&] {
+        const std::vector<double> now = excesses_of(region);
+        return count_tangled(now) <= count_tangled(before) && is_no_worse(now, before) &&
+               keeps(quality_of(region), quality);
+      };
+      const long smoothed = edges_smoothed;
+      bool kept = is_kept();
+      for (int round = 0; !kept && round < smoothing_rounds; ++round) {
+        bool changed = false;
+        for (const TriangleId t : star)
+          if (!is_fine(t)) changed = smooth_edges(t) || changed;
+        if (!changed) break;
+        kept = is_kept();
+      }
+      touched_.resize(touched);
+      if (!kept) edges_smoothed = smoothed;
+      if (!kept) continue;
+      attempt.commit();
+      touched_.insert(touched_.end(), region.begin(), region.end());
       return true;
     }
   return false;
@@ -74,15 +109,13 @@ bool SmoothingMoves::turn_back_by_vertex(PointId v) {
 bool SmoothingMoves::turn_back_by_flip(HalfEdgeId h) {
   if (mesh_.twin(h) == none || mesh_.is_constrained(h)) return false;
   const std::array<TriangleId, 2> pair{triangle_of(h), triangle_of(mesh_.twin(h))};
-  const auto rate_pair = [&](std::vector<double>& excesses) {
-    excesses = {movable_excess(pair[0]), movable_excess(pair[1])};
-    std::sort(excesses.begin(), excesses.end(), std::greater<>());
-  };
-  rate_pair(before_);
+  const std::vector<double> before = excesses_of(pair);
+  const PatchQuality quality = quality_of(pair);
   Transaction trial(mesh_);
   if (flip_edge(mesh_, h, options_.refit) != Refusal::done) return false;  // both new straight triangles are positive
-  rate_pair(now_);
-  if (count_tangled(now_) > count_tangled(before_) || !is_no_worse(now_, before_)) return false;
+  const std::vector<double> now = excesses_of(pair);
+  if (count_tangled(now) > count_tangled(before) || !is_no_worse(now, before)) return false;
+  if (!keeps(quality_of(pair), quality)) return false;
   trial.commit();
   touched_.insert(touched_.end(), pair.begin(), pair.end());
   ++flips;

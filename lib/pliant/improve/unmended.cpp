@@ -43,6 +43,9 @@ std::string describe(Unmended reason, const SmoothMeans& means) {
       return "two edges on curves meet in it at 180 degrees or more; no place of its inner points helps";
     case Unmended::needs_split:
       return std::string("its edge on a curve is too long or too bent") + (means.split ? "" : "; --split would help");
+    case Unmended::needs_refinement:
+      return "its edge on a curve is too long or too bent, and a split of it alone makes the mesh worse; refine may "
+             "help";
     case Unmended::turned_over: {
       const char* help = means.vertices && means.flips ? ""
                          : means.vertices              ? "; --flips may help"
