@@ -28,7 +28,7 @@ bool is_tolerable(const Curve& curve, double error, const CurveTolerance& tolera
 /// the area if so wanted, unless the curve moves too far even without. In a transaction of the caller.
 std::optional<double> remove_break(Mesh& mesh, CurveId c, double knot, const CurveTolerance& tolerance) {
   const Curve& curve = mesh.boundary().curves[at(c)];
-  std::optional<CurveStretch> before;
+  std::optional<RemovalStretch> before;
   if (tolerance.keep_area) before.emplace(mesh, c, knot);
   std::optional<double> error = mesh.remove_break(c, knot);
   if (error && before && is_tolerable(curve, *error, tolerance)) error = before->restore_area(mesh);

@@ -26,7 +26,7 @@ int reach(const BSpline& spline) { return 2 * spline.degree() + 1; }
 
 }  // namespace
 
-CurveStretch::CurveStretch(const Mesh& mesh, CurveId curve, double knot)
+RemovalStretch::RemovalStretch(const Mesh& mesh, CurveId curve, double knot)
     : curve_(curve), knot_(knot), multiplicity_(mesh.spline(curve).multiplicity(knot)) {
   const BSpline& spline = mesh.spline(curve);
   origin_ = spline.evaluate(knot);
@@ -56,13 +56,13 @@ CurveStretch::CurveStretch(const Mesh& mesh, CurveId curve, double knot)
                [&](int k, int i) { points_[at(k)] = spline.points()[at(i)]; });
 }
 
-double CurveStretch::area(const BSpline& spline) const {
+double RemovalStretch::area(const BSpline& spline) const {
   double sum = 0;
   for (const double start : starts_) sum += spline.swept_area(start, origin_);
   return sum;
 }
 
-std::vector<int> CurveStretch::points_around(const BSpline& spline, double place) const {
+std::vector<int> RemovalStretch::points_around(const BSpline& spline, double place) const {
   // The points whose inner knots straddle the removed one (p = 1: whose support does): none of them reaches beyond the
   // footprint. An open curve's ends stay.
   const int last = static_cast<int>(spline.points().size()) - 1, p = spline.degree(), inset = p > 1 ? 1 : 0;
@@ -76,7 +76,7 @@ std::vector<int> CurveStretch::points_around(const BSpline& spline, double place
   return near;
 }
 
-double CurveStretch::restore_area(Mesh& mesh) const {
+double RemovalStretch::restore_area(Mesh& mesh) const {
   const BSpline& spline = mesh.spline(curve_);
   // Without its first break a closed curve begins at the next one.
   const double place = knot_ < spline.first_parameter() ? knot_ + spline.period() : knot_;
@@ -114,7 +114,7 @@ double CurveStretch::restore_area(Mesh& mesh) const {
   return distance_to(mesh, place);
 }
 
-double CurveStretch::distance_to(Mesh& mesh, double place) const {
+double RemovalStretch::distance_to(Mesh& mesh, double place) const {
   const BSpline& spline = mesh.spline(curve_);
   Transaction trial(mesh);  // rolled back at the end
   for (int m = multiplicity_; m > 0; --m) mesh.insert_knot(curve_, place);

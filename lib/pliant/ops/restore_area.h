@@ -6,9 +6,9 @@
 namespace pliant {
 
 /// A curve around one of its breaks, as it is before the break goes. What it costs does not grow with the curve.
-class CurveStretch {
+class RemovalStretch {
  public:
-  CurveStretch(const Mesh& mesh, CurveId curve, double knot);
+  RemovalStretch(const Mesh& mesh, CurveId curve, double knot);
   /// After the break was removed from the mesh's curve, in the same transaction: moves the control points around it so
   /// that the curve sweeps the area that it did. Returns a bound of the distance between the two curves then; infinite,
   /// the curve of no use, where too much is missing for small steps.
