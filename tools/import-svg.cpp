@@ -7,6 +7,7 @@
 #include "criteria_options.h"
 #include "filter.h"
 #include "formats/mesh_json.h"
+#include "formats/recognize.h"
 #include "formats/svg_reader.h"  // tools/import-svg.cpp
 
 namespace {
@@ -109,7 +110,8 @@ int main(int argc, char** argv) {
     try {
       import = read_svg(bytes, svg);
     } catch (const InputError& e) {
-      throw InputError("", with_file(frame.source, e));
+      const std::string other = describe_other_kind(bytes, FileKind::svg);
+      throw InputError("", other.empty() ? with_file(frame.source, e) : frame.source + ": " + other);
     }
     if (!options.verbose)  // else they are notes of the report
       for (const std::string& warning : import.warnings) say(options, frame.source + ": " + warning);
