@@ -25,22 +25,10 @@ constexpr const char* not_apart =
 double size_of(const std::vector<Shape>& shapes) {
   Box box;
   for (const Shape& shape : shapes) {
-    std::size_t next = 0;
-    for (const Step step : shape.outline.steps) {
-      const Point* p = shape.outline.points.data() + next;
-      const auto count = static_cast<std::size_t>(point_count(step));
-      next += count;
-      if (step == Step::arc) {
-        constexpr int parts = 8;
-        for (int i = 0; i < parts; ++i) {
-          const double t = p[3].x + p[3].y * i / parts;
-          box.extend(p[0] + p[1] * std::cos(t) + p[2] * std::sin(t));
-        }
-        box.extend(p[4]);
-      } else {
-        for (std::size_t i = 0; i < count; ++i) box.extend(p[i]);
-      }
-    }
+    const Box one = box_of(shape.outline);
+    if (!(one.low.x <= one.high.x)) continue;
+    box.extend(one.low);
+    box.extend(one.high);
   }
   return box.size();
 }
