@@ -244,6 +244,8 @@ void for_each_mesh(const ToolOptions& options, const std::function<void(MeshData
   for_each_document(options, FileKind::mesh, use_document, [&](std::string_view bytes, const Frame& frame) {
     use_msh(options, {}, bytes, frame, [&](MshImport&& import, const Frame&) {
       require_document_size(import.mesh);
+      if (options.verbose)
+        for (const std::string& text : import.notes) say(options, frame.source + ": " + text);
       use(std::move(import.mesh), frame);
     });
   });
