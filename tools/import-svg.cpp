@@ -59,6 +59,7 @@ PassReport summarize(const SvgImport& import) {
   report.add("sliver_area", import.sliver_area);
   count("covered", import.covered);
   report.notes = import.warnings;
+  report.notes.insert(report.notes.end(), import.notes.begin(), import.notes.end());
   return report;
 }
 
@@ -100,6 +101,7 @@ int main(int argc, char** argv) {
     svg.tolerance = parse_positive("--tolerance", tolerance);
     if (svg.tolerance < least_tolerance || svg.tolerance > 1)
       throw UsageError("--tolerance: '" + tolerance + "' is not between 1e-12 and 1");
+    svg.compares = options.verbose || !options.report.empty();
     OutputFile output(options.output);
     FrameReports reports(options);
     Stopwatch watch;

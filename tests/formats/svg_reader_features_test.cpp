@@ -252,3 +252,31 @@ TEST_CASE("what else is not read is named", "[svg]") {
   CHECK_THAT(sheet.warnings[0], Catch::Contains("style sheets of other files"));
   CHECK_THAT(warnings("<rect id='r' width='1' height='1' fill='url(#r) red'/>"), Catch::Contains("does not exist"));
 }
+
+TEST_CASE("a looser tolerance never takes more pieces, and a note tells what another would take", "[svg]") {
+  const std::string drawing =
+      "<path d='M20 50C34 10 76 8 102 22 94 52 52 70 20 50z'/><path d='M10 90C90 190 60 -90 90 95z'/>"
+      "<ellipse cx='160' cy='48' rx='40' ry='13'/><path d='M0 200a30 50 -30 0 1 50 -25q9 40-10 70z'/>";
+  const auto pieces = [&](double tolerance, int degree, bool compares = false) {
+    SvgReadOptions options;
+    options.tolerance = tolerance;
+    options.degree = degree;
+    options.planar = true;
+    options.compares = compares;
+    return read_svg("<svg>" + drawing + "</svg>", options);
+  };
+  for (const int degree : {2, 3}) {
+    long last = 1'000'000;
+    for (double tolerance = 1e-9; tolerance <= 1; tolerance *= 1.5) {
+      const long count = pieces(tolerance, degree).pieces;
+      CAPTURE(tolerance, degree);
+      CHECK(count <= last);
+      last = count;
+    }
+  }
+  const SvgImport import = pieces(1e-6, 2, true);
+  REQUIRE(import.notes.size() == 1);
+  CHECK_THAT(import.notes[0], Catch::Contains("--degree 3 would take " + std::to_string(pieces(1e-6, 3).pieces)) &&
+                                  Catch::EndsWith(" " + std::to_string(pieces(1e-4, 2).pieces)));
+  CHECK(pieces(1e-6, 2).notes.empty());
+}
