@@ -30,11 +30,11 @@ run 2 passthrough --face-area =1 disk.json
 run 2 passthrough --face-area nobody=1 disk.json
 says "no face 'nobody'"
 run 2 passthrough --face-area cell=1 --face-area cell=2 disk.json
-run 0 passthrough --face-area cell=0.5 --min-angle 0 --size '0.1+x' disk.json
-grep -qF '"criteria":{"min_angle":0,"face_area":{"cell":0.5},"size":"0.1+x"}' out || fail "criteria are written back"
+run 0 passthrough --face-area cell=0.5 --min-angle 0 --size '2+x' disk.json
+grep -qF '"criteria":{"min_angle":0,"face_area":{"cell":0.5},"size":"2+x"}' out || fail "criteria are written back"
 cp out with.json
 run 0 passthrough --face-area cell=0.25 --max-turning 30 with.json
-grep -qF '"criteria":{"min_angle":0,"face_area":{"cell":0.25},"size":"0.1+x","max_turning":30}' out ||
+grep -qF '"criteria":{"min_angle":0,"face_area":{"cell":0.25},"size":"2+x","max_turning":30}' out ||
   fail "an option replaces its entry and leaves the others"
 
 # A field of wanted lengths must be there, and have one component.
