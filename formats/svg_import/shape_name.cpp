@@ -48,7 +48,7 @@ std::string ShapeNames::own_name(const Element& element) const {
   const std::string* id = element.find("id");
   const bool has_id = id != nullptr && !id->empty();
   if (has_id && !is_made_up(*id, element.name)) return *id;
-  if (const std::string title = title_of(element); !title.empty()) return title;
+  if (std::string title = title_of(element); !title.empty()) return title;
   return has_id ? *id : "";
 }
 

@@ -189,7 +189,7 @@ TEST_CASE("markers are named, where there may be any", "[svg]") {
 }
 
 TEST_CASE("what a viewport would cut off is named, and only that", "[svg]") {
-  const std::string inside = "<rect width='10' height='10'/>", outside = "<circle cx='10' cy='5' r='5'/>";
+  const std::string inside = "<rect width='10' height='10'/>", jutting = "<circle cx='10' cy='5' r='5'/>";
   const char* nested = "what juts out of a nested viewport is not cut off";
   for (const std::string& kind : {std::string("viewBox='0 0 10 10'"), std::string()}) {
     const auto symbol = [&](const std::string& content, const std::string& attributes = "") {
@@ -197,16 +197,16 @@ TEST_CASE("what a viewport would cut off is named, and only that", "[svg]") {
                       "</symbol><use href='#s' x='9' width='10' height='10'/>");
     };
     CHECK(symbol(inside).empty());
-    CHECK_THAT(symbol(outside), Catch::Contains(nested));
-    CHECK(symbol(outside, "overflow='visible'").empty());
-    CHECK(symbol(outside, "style='overflow:visible'").empty());
+    CHECK_THAT(symbol(jutting), Catch::Contains(nested));
+    CHECK(symbol(jutting, "overflow='visible'").empty());
+    CHECK(symbol(jutting, "style='overflow:visible'").empty());
   }
-  CHECK_THAT(warnings("<svg width='10' height='10'>" + outside + "</svg>"), Catch::Contains(nested));
+  CHECK_THAT(warnings("<svg width='10' height='10'>" + jutting + "</svg>"), Catch::Contains(nested));
   CHECK(warnings("<svg width='10' height='10'>" + inside + "</svg>").empty());
-  CHECK_THAT(warnings(outside, "viewBox='0 0 10 10'"), Catch::Contains("what juts out of the page is not cut off"));
-  CHECK_THAT(warnings(outside, "width='10' height='10'"), Catch::Contains("the page"));
+  CHECK_THAT(warnings(jutting, "viewBox='0 0 10 10'"), Catch::Contains("what juts out of the page is not cut off"));
+  CHECK_THAT(warnings(jutting, "width='10' height='10'"), Catch::Contains("the page"));
   CHECK(warnings(inside, "viewBox='0 0 10 10'").empty());
-  CHECK(warnings(outside, "").empty());
+  CHECK(warnings(jutting, "").empty());
   CHECK_THAT(warnings("<symbol id='s' refX='4'>" + inside + "</symbol><use href='#s'/>"), Catch::Contains("refX"));
 }
 
