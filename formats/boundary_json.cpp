@@ -5,6 +5,7 @@
 #include <string>
 
 #include "formats/mesh_json.h"
+#include "formats/recognize.h"
 
 namespace pliant {
 namespace {
@@ -17,7 +18,7 @@ Face read_face(JsonReader& in) {
     face.name = in.string();
     return true;
   });
-  seen.require({"name"});
+  seen.require({"name"}, face.extra);
   return face;
 }
 
@@ -79,7 +80,7 @@ Curve read_curve(JsonReader& in) {
     }
     return true;
   });
-  seen.require({"name", "degree", "closed", "knots", "points"});
+  seen.require({"name", "degree", "closed", "knots", "points"}, curve.extra);
   const bool has_ends = curve.start != no_vertex || curve.end != no_vertex;
   if (spline.closed && has_ends) in.fail("a closed curve has no ends: start and end should be null");
   if (!spline.closed && (curve.start == no_vertex || curve.end == no_vertex))
@@ -142,14 +143,22 @@ bool Presence::has(std::string_view member) const {
   return std::find(seen_.begin(), seen_.end(), member) != seen_.end();
 }
 
-void Presence::require(std::initializer_list<const char*> members) const {
-  for (const char* member : members)
-    if (!has(member)) in_.fail(std::string("lacks the member \"") + member + "\"");
+void Presence::require(std::initializer_list<const char*> members, const ExtraMembers& unknown) const {
+  for (const char* member : members) {
+    if (has(member)) continue;
+    std::vector<std::string> names;
+    for (const auto& [name, value] : unknown) names.push_back(name);
+    const std::string similar = nearest_word(member, names);
+    in_.fail(std::string("lacks the member \"") + member + "\"" +
+             (similar.empty() ? "" : "; is \"" + similar + "\" meant to be it?"));
+  }
 }
 
 void read_format(JsonReader& in, std::string_view format) {
   const std::string found = in.string();
-  if (found != format) in.fail("is \"" + found + "\"; this reader takes \"" + std::string(format) + "\"");
+  if (found == format) return;
+  const std::string other = describe_other_format(found);
+  in.fail("is \"" + found + "\", not \"" + std::string(format) + "\"" + (other.empty() ? "" : ": " + other));
 }
 
 void read_version(JsonReader& in) {
@@ -177,8 +186,8 @@ BoundaryComplex read_boundary_object(JsonReader& in, bool alone) {
       return false;
     return true;
   });
-  if (alone) seen.require({"format", "version"});
-  seen.require({"vertices", "faces", "curves"});
+  if (alone) seen.require({"format", "version"}, boundary.extra);
+  seen.require({"vertices", "faces", "curves"}, boundary.extra);
   check_indices(in, boundary);
   return boundary;
 }

@@ -23,7 +23,8 @@ class Presence {
     return true;
   }
   bool has(std::string_view member) const;
-  void require(std::initializer_list<const char*> members) const;
+  /// Refuses an object that lacks one of these, beside the one of its unknown members that looks like it.
+  void require(std::initializer_list<const char*> members, const ExtraMembers& unknown = {}) const;
 
  private:
   JsonReader& in_;

@@ -184,6 +184,7 @@ ElementValues::ElementValues(const MeshData& mesh, const ColorBy& by) : mesh_(me
   title_ = field_->name;
   if (component_ >= 0) title_ += ", component " + std::to_string(component_);
   if (component_ < 0 && field_->components > 1) title_ = "|" + title_ + "|";
+  title_ = "field " + title_;
   if (field_->components == 1) component_ = 0;
 }
 

@@ -208,6 +208,13 @@ std::string_view DocumentStream::all_if(std::string_view start) {
   return {s.buffer.get() + s.begin, s.end - s.begin};
 }
 
+std::string_view DocumentStream::head_unless_object(std::size_t most) {
+  State& s = *state_;
+  if (!s.find_start() || s.buffer.get()[s.begin] == '{') return {};
+  while (s.end - s.begin < most && s.fill()) continue;
+  return std::string_view(s.buffer.get() + s.begin, s.end - s.begin).substr(0, most);
+}
+
 long DocumentStream::frame() const { return state_->frame; }
 long DocumentStream::first_line() const { return state_->first_line; }
 const std::string& DocumentStream::name() const { return state_->name; }

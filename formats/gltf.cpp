@@ -11,6 +11,7 @@
 #include <tiny_gltf.h>
 
 #include "formats/gltf_buffer.h"
+#include "formats/gltf_place.h"
 #include "formats/mesh_edges.h"
 #include "formats/tessellation.h"
 #include "pliant/mesh/check_mesh.h"
@@ -52,21 +53,21 @@ struct GltfWriter::State {
   GltfOptions options;
   GltfBuffer buffer;
   tinygltf::Model model;
-  std::vector<float> values;  // of every coloured vertex of all frames; for faces, the face
+  std::vector<double> values;  // of every coloured vertex of all frames; for faces, the face
   ValueRange range;
   std::string title;
   std::vector<int> frames;  // nodes
   std::vector<int> circle_nodes;
-  Point center;
-  double size = 0;
+  GltfPlace place;
+  double size = 0;  // of the first mesh, in the place's unit
   int fill = -1, lines = -1, outline = -1, invalid = -1, obstacle = -1;
 };
 
 /// Keeps the values: what colours they are is known when the range of all frames is.
 int GltfWriter::State::add_colors(const Tessellation& pieces) {
-  for (const double value : pieces.values) values.push_back(static_cast<float>(value));
+  values.insert(values.end(), pieces.values.begin(), pieces.values.end());
   if (options.color.kind == ColorBy::Kind::face)
-    for (const FaceId face : pieces.vertex_faces) values.push_back(static_cast<float>(face));
+    for (const FaceId face : pieces.vertex_faces) values.push_back(face);
   return buffer.reserve_colors(pieces.vertices.size());
 }
 
@@ -93,8 +94,8 @@ int GltfWriter::State::add_node(const char* name, const std::vector<tinygltf::Pr
   node.name = name;
   node.mesh = static_cast<int>(model.meshes.size()) - 1;
   if (options.quantize) {
-    const Vector corner = box.low - center, extent = box.high - box.low;
-    node.translation = {corner.x, corner.y, height * layer * size};
+    const Vector extent = box.high - box.low;
+    node.translation = {box.low.x, box.low.y, height * layer * size};
     node.scale = {extent.x, extent.y, 1};
   } else if (height > 0) {
     node.translation = {0, 0, height * layer * size};
@@ -106,7 +107,7 @@ int GltfWriter::State::add_node(const char* name, const std::vector<tinygltf::Pr
 /// A band along each constrained edge, as lines of one pixel are all that most viewers draw.
 void GltfWriter::State::add_outlines(const MeshData& mesh, std::vector<Point>& vertices,
                                      std::vector<std::uint32_t>& triangles) const {
-  const double half = options.outline_width.value_or(size / 400) / 2;
+  const double half = (options.outline_width ? *options.outline_width / place.scale : size / 400) / 2;
   for (const ConstrainedEdge& edge : mesh.constrained_edges) {
     const std::vector<Point> polygon = positions(mesh, edge.points);
     const int n = options.subdivide > 0 ? options.subdivide : edge_pieces(polygon, options.tolerance * size);
@@ -127,13 +128,15 @@ void GltfWriter::State::add_circles() {
     std::vector<std::uint32_t> triangles;
     for (int k = 0; k < circle_corners; ++k) {
       const double angle = 2 * std::numbers::pi * k / circle_corners;
-      corners.push_back(circle.center + circle.radius * Vector{std::cos(angle), std::sin(angle)});
+      corners.push_back(circle.center / place.scale - place.center +
+                        circle.radius / place.scale * Vector{std::cos(angle), std::sin(angle)});
       const auto i = static_cast<std::uint32_t>(k);
       if (k > 1) triangles.insert(triangles.end(), {0, i - 1, i});
     }
     Box box;
     for (const Point& p : corners) box.extend(p);
-    const int at = buffer.add_positions(corners, center, box);
+    require_drawable(box);
+    const int at = buffer.add_positions(corners, box);
     const auto disk = primitive(at, buffer.add_indices(triangles, corners.size()),
                                 material(obstacle, "obstacle", obstacle_color, 1), TINYGLTF_MODE_TRIANGLES);
     circle_nodes.push_back(add_node("obstacle", {disk}, box, 0));
@@ -142,7 +145,7 @@ void GltfWriter::State::add_circles() {
 
 void GltfWriter::State::color_vertices() {
   const ValueRange shown = options.range.value_or(range);
-  for (const float value : values) {
+  for (const double value : values) {
     Rgb color = missing_color;
     if (options.color.kind == ColorBy::Kind::face)
       color = face_color(static_cast<FaceId>(value));
@@ -183,13 +186,19 @@ void GltfWriter::add(const MeshData& mesh) {
   State& s = *state_;
   const GltfOptions& options = s.options;
   if (s.frames.empty()) {
-    const Box box = bounding_box(mesh);
-    s.size = box.size();
-    s.center = box.low + (box.high - box.low) / 2;
+    s.place = GltfPlace(bounding_box(mesh));
+    s.size = s.place.size;
     s.add_circles();
   }
-  const ElementValues values(mesh, options.color);
-  const InvalidElements bad = find_invalid(mesh);
+  MeshData scaled;
+  if (s.place.scale != 1) {
+    scaled = mesh;
+    for (Point& p : scaled.points) p = p / s.place.scale;
+  }
+  const MeshData& drawn = s.place.scale != 1 ? scaled : mesh;
+  // Lengths and areas are those of the mesh; whatever else colours it is the same in any unit.
+  const ElementValues values(has_unit(options.color) ? mesh : drawn, options.color);
+  const InvalidElements bad = find_invalid(drawn);
   const ValueRange range = values.range(bad.invalid);
   s.range.extend(range.low);
   s.range.extend(range.high);
@@ -200,15 +209,18 @@ void GltfWriter::add(const MeshData& mesh) {
   const ValueRange& shown = options.range ? *options.range : range;
   cut.color_tolerance = color_tolerance * (shown.high - shown.low);
   cut.color_spread = color_spread * (shown.high - shown.low);
-  const Tessellation pieces = tessellate(mesh, find_edges(mesh), values, options.color.kind, bad.invalid, cut);
+  const Point origin = s.place.origin_of(bounding_box(drawn));
+  const MeshData local = moved(drawn, origin);
+  const Tessellation pieces = tessellate(local, find_edges(local), values, options.color.kind, bad.invalid, cut);
   std::vector<Point> outline;
   std::vector<std::uint32_t> outline_triangles;
-  s.add_outlines(mesh, outline, outline_triangles);
+  s.add_outlines(local, outline, outline_triangles);
   Box box;
   for (const Point& p : pieces.vertices) box.extend(p);
   for (const Point& p : outline) box.extend(p);
+  require_drawable(box);
 
-  const int at = s.buffer.add_positions(pieces.vertices, s.center, box);
+  const int at = s.buffer.add_positions(pieces.vertices, box);
   const std::size_t count = pieces.vertices.size();
   const bool colored = options.color.kind != ColorBy::Kind::nothing;
   const int colors = colored ? s.add_colors(pieces) : -1;
@@ -234,11 +246,12 @@ void GltfWriter::add(const MeshData& mesh) {
          2);
   if (!outline_triangles.empty())
     part("curves",
-         primitive(s.buffer.add_positions(outline, s.center, box),
-                   s.buffer.add_indices(outline_triangles, outline.size()), s.material(s.outline, "curves", ink, 1),
-                   TINYGLTF_MODE_TRIANGLES),
+         primitive(s.buffer.add_positions(outline, box), s.buffer.add_indices(outline_triangles, outline.size()),
+                   s.material(s.outline, "curves", ink, 1), TINYGLTF_MODE_TRIANGLES),
          3);
   frame.name = "frame " + std::to_string(s.frames.size());
+  if (const Vector shift = origin - s.place.center; shift.x != 0 || shift.y != 0)
+    frame.translation = {shift.x, shift.y, 0};
   // A viewer that plays no animation shows the first frame.
   if (!s.frames.empty()) frame.scale = {0, 0, 0};
   frame.extras = Value(Value::Object{{"time", Value(mesh.time)},
@@ -257,7 +270,8 @@ std::string GltfWriter::finish(bool binary) {
 
   tinygltf::Node root;
   root.name = "mesh";
-  root.translation = {s.center.x, s.center.y, 0};
+  root.translation = {s.place.center.x * s.place.scale, s.place.center.y * s.place.scale, 0};
+  if (s.place.scale != 1) root.scale = {s.place.scale, s.place.scale, s.place.scale};
   root.children = s.circle_nodes;
   root.children.insert(root.children.end(), s.frames.begin(), s.frames.end());
   s.model.nodes.push_back(std::move(root));

@@ -24,14 +24,16 @@ struct GltfOptions {
 
 /// Collects the frames of a series; the meshes themselves are not kept.
 ///
-/// The scene has a node that puts the centre of the first mesh's box back in place (vertices are single precision,
-/// relative to it), below it a node a frame, which the animation scales to 1 during its frame and to 0 otherwise.
+/// The scene has a node that puts the centre of the first mesh's box back in place, and back to its size where that is
+/// none that viewers are made for (vertices are single precision, relative to it); below it a node a frame, which the
+/// animation scales to 1 during its frame and to 0 otherwise.
 class GltfWriter {
  public:
   explicit GltfWriter(GltfOptions options);
   ~GltfWriter();
   /// Requires    M1 and M2 (check_structure); the mesh may be tangled
-  /// Throws      std::invalid_argument where the mesh has no such field (ElementValues)
+  /// Throws      std::invalid_argument where the mesh has no such field (ElementValues); InputError for what single
+  ///             precision cannot show beside the first mesh
   void add(const MeshData& mesh);
   /// The file: binary (.glb), or JSON with its buffer inside (.gltf). Once, after at least one frame.
   std::string finish(bool binary);

@@ -31,7 +31,7 @@ int GltfBuffer::add_accessor(Accessor accessor) {
   return static_cast<int>(accessors_.size()) - 1;
 }
 
-int GltfBuffer::add_positions(const std::vector<Point>& points, const Point& center, const Box& box) {
+int GltfBuffer::add_positions(const std::vector<Point>& points, const Box& box) {
   Bytes& out = bytes_[positions_view];
   const std::size_t offset = out.size();
   std::array<double, 3> low{HUGE_VAL, HUGE_VAL, 0}, high{-HUGE_VAL, -HUGE_VAL, 0};
@@ -50,8 +50,8 @@ int GltfBuffer::add_positions(const std::vector<Point>& points, const Point& cen
       // The third coordinate, and two bytes for alignment.
       append(out, std::uint32_t{0});
     } else {
-      put(0, static_cast<float>(p.x - center.x));
-      put(1, static_cast<float>(p.y - center.y));
+      put(0, static_cast<float>(p.x));
+      put(1, static_cast<float>(p.y));
       append(out, 0.0F);
     }
   const int component = quantize_ ? TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT : TINYGLTF_COMPONENT_TYPE_FLOAT;

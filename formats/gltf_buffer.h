@@ -15,10 +15,10 @@ namespace pliant {
 /// Arrays are appended in any order, each an accessor whose index is returned; arrays of one kind share a buffer view.
 class GltfBuffer {
  public:
-  /// Quantized positions are in 16 bits, as parts of a box; others are single precision, relative to a centre.
+  /// Quantized positions are in 16 bits, as parts of a box; others are single precision.
   explicit GltfBuffer(bool quantize);
 
-  int add_positions(const std::vector<Point>& points, const Point& center, const Box& box);
+  int add_positions(const std::vector<Point>& points, const Box& box);
   /// Indices of that many vertices, in 16 bits where these suffice.
   int add_indices(const std::vector<std::uint32_t>& indices, std::size_t vertices);
   /// Keeps a place for that many colours, which come later, all in one order.

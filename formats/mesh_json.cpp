@@ -53,7 +53,7 @@ Field read_field(JsonReader& in) {
     }
     return true;
   });
-  seen.require({"name", "values"});
+  seen.require({"name", "values"}, field.extra);
   if (field.by_face != seen.has("places"))
     in.fail(field.by_face ? "a field by face needs \"places\"" : "\"places\" belong to fields by face only");
   return field;
@@ -127,7 +127,8 @@ MeshData read_mesh_object(JsonReader& in) {
     return true;
   });
   seen.require(
-      {"format", "version", "degree", "points", "triangles", "triangle_faces", "constrained_edges", "boundary"});
+      {"format", "version", "degree", "points", "triangles", "triangle_faces", "constrained_edges", "boundary"},
+      data.extra);
   return data;
 }
 

@@ -33,6 +33,9 @@ class DocumentStream {
   /// starts with others. Only before the first `next`. A regular file is mapped, not copied.
   /// Throws      std::system_error when reading fails
   std::string_view all_if(std::string_view start);
+  /// The first bytes, as many as there are up to `most`, of a stream that does not start with an object; empty, without
+  /// waiting for more, of one that does. Only before the first `next`.
+  std::string_view head_unless_object(std::size_t most);
   long frame() const;       ///< number of the document last returned, from 0
   long first_line() const;  ///< line on which it starts, from 1
   const std::string& name() const;

@@ -36,6 +36,7 @@ class Import {
     const EdgeFindings findings = pair_edges(mesh(), !is_mixed);
     require_finite();
     warn_of_clockwise(findings);
+    warn(name_double_nodes(file_, mesh(), findings.open));
     drop_unused(findings.uses);
     for (std::string& text : trace_curves(file_, findings.open, mesh())) warn(std::move(text));
     warn_of_the_rest();
@@ -226,7 +227,9 @@ class Import {
   void warn_of_the_rest() {
     for (std::size_t type = 0; type < file_.left_out.size(); ++type)
       if (const std::uint64_t count = file_.left_out[type]; count > 0)
-        warn(describe_left_out(static_cast<std::int64_t>(type), count) + (count == 1 ? " is" : " are") + " left out");
+        (type == msh_point_type ? result_.notes : result_.warnings)
+            .push_back(describe_left_out(static_cast<std::int64_t>(type), count) + (count == 1 ? " is" : " are") +
+                       " left out");
     std::string sections;
     for (const std::string& name : file_.skipped) sections += (sections.empty() ? "" : ", ") + ("$" + name);
     if (!sections.empty()) warn("not read: " + sections);

@@ -1,4 +1,4 @@
-#pragma once  // formats/msh.h: reads Gmsh's MSH files, versions 2.2 and 4.1, text and binary (formats/msh.md)
+#pragma once  // formats/msh.h: reads Gmsh's MSH files, versions 1 to 4.1, text and binary (formats/msh.md)
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -47,12 +47,12 @@ struct MshOptions {
 struct MshImport {
   MeshData mesh;
   std::vector<std::string> warnings;  ///< what was left out or looks wrong, a sentence each
+  std::vector<std::string> notes;     ///< what was left out and is no loss: points of the geometry
   TagRuns elements;                   ///< Gmsh's tag of each triangle
   TagRuns nodes;                      ///< and of each point; of those that elevation made the first free ones
 };
 
-/// Does a file that starts like this claim to be in MSH format?
-bool is_msh(std::string_view bytes);
+/// The section that says how the others are written; sections that mean nothing may stand before it.
 inline constexpr std::string_view msh_magic = "$MeshFormat";
 
 /// The mesh of a file: Lagrange nodes become Bézier control points, physical groups faces and names of curves; edges

@@ -143,12 +143,12 @@ void MshCursor::fail_at(const char* where, const std::string& text) const {
       text);
 }
 
-std::string MshCursor::found() const {
-  if (at_ == end_) return "the end of the file";
+std::string MshCursor::found_at(const char* where) const {
+  if (where == end_) return "the end of the file";
   constexpr std::ptrdiff_t most = 30;
-  const char* stop = std::find_if(at_, end_ - at_ > most ? at_ + most : end_, is_space);
+  const char* stop = std::find_if(where, end_ - where > most ? where + most : end_, is_space);
   std::string text = "'";
-  for (const char* p = at_; p != stop; ++p) text += *p < 32 || *p == 127 ? '?' : *p;
+  for (const char* p = where; p != stop; ++p) text += *p < 32 || *p == 127 ? '?' : *p;
   return text + "'";
 }
 

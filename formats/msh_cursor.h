@@ -49,7 +49,8 @@ class MshCursor {
   [[noreturn]] void fail(const std::string& text) const { fail_at(at_, text); }
   [[noreturn]] void fail_at(const char* where, const std::string& text) const;
   /// The word at the cursor, in quotes, for messages; or "the end of the file".
-  std::string found() const;
+  std::string found() const { return found_at(at_); }
+  std::string found_at(const char* where) const;
 
  private:
   const char* begin_;

@@ -170,6 +170,28 @@ void read_text_2(MshCursor& in, MshFile& file, ElementSink& sink, std::uint64_t 
 
 }  // namespace
 
+void read_elements_1(MshCursor& in, MshFile& file) {
+  const std::uint64_t count = in.text_size("the number of elements");
+  in.room_for(count, 6, "elements");
+  ElementSink sink(in, file);
+  for (std::uint64_t done = 0; done < count; ++done) {
+    const std::uint64_t tag = in.text_size("an element number");
+    const std::int32_t type = in.text_int("an element type");
+    const MshElementType& of = known_type(in, type);
+    const std::int32_t physical = in.text_int("a physical tag"), entity = in.text_int("an entity's tag");
+    const std::int32_t nodes = in.text_int("a number of nodes");
+    if (of.nodes != 0 && nodes != of.nodes)
+      in.fail("elements of type " + std::to_string(type) + " have " + std::to_string(of.nodes) + " nodes, not " +
+              std::to_string(nodes));
+    if (ElementSink::is_read(of)) {
+      read_text(in, file, sink, {type, entity, physical, of}, tag);
+    } else {
+      sink.leave_out(type, 1);
+      in.line();
+    }
+  }
+}
+
 void read_elements_2(MshCursor& in, MshFile& file) {
   const std::uint64_t count = in.text_size("the number of elements");
   in.end_line("the number of elements");
@@ -178,17 +200,21 @@ void read_elements_2(MshCursor& in, MshFile& file) {
   in.binary ? read_binary_2(in, file, sink, count) : read_text_2(in, file, sink, count);
 }
 
-void read_elements_4(MshCursor& in, MshFile& file) {
+void read_elements_4(MshCursor& in, MshFile& file, bool is_4_0) {
   const std::uint64_t blocks = in.size("the number of blocks");
   const std::uint64_t count = in.size("the number of elements");
-  in.size("the least element tag");
-  in.size("the greatest element tag");
-  in.room_for(count, in.binary ? 16 : 4, "elements");
+  if (!is_4_0) {
+    in.size("the least element tag");
+    in.size("the greatest element tag");
+  }
+  const std::size_t tag_size = is_4_0 ? 4 : 8;
+  in.room_for(count, in.binary ? 2 * tag_size : 4, "elements");
   ElementSink sink(in, file);
   std::uint64_t done = 0;
   for (std::uint64_t k = 0; k < blocks; ++k) {
-    in.int32("a block's dimension");
-    const std::int32_t entity = in.int32("an entity's tag");
+    std::int32_t entity = in.int32(is_4_0 ? "an entity's tag" : "a block's dimension");
+    const std::int32_t second = in.int32(is_4_0 ? "a block's dimension" : "an entity's tag");
+    if (!is_4_0) entity = second;
     const std::int32_t type = in.int32("an element type");
     const MshElementType& of = known_type(in, type);
     const std::uint64_t here = in.size("the block's number of elements");
@@ -198,17 +224,19 @@ void read_elements_4(MshCursor& in, MshFile& file) {
     done += here;
     const Block block{type, entity, 0, of};
     if (in.binary) {
-      const std::size_t stride = 8 * (1 + static_cast<std::size_t>(of.nodes));
+      const std::size_t stride = tag_size * (1 + static_cast<std::size_t>(of.nodes));
       const char* at = in.take(static_cast<std::size_t>(here), stride, "elements");
       // All that is left may be like these; but no more than the file has room for.
       if (of.family == MshElementType::triangle && file.triangle_nodes.empty())
         file.triangle_nodes.reserve(
             std::min(static_cast<std::size_t>(count - done + here) * static_cast<std::size_t>(of.nodes),
-                     (static_cast<std::size_t>(in.at() - at) + in.left()) / sizeof(std::uint64_t)));
-      if (ElementSink::is_read(of))
-        read_binary<std::uint64_t>(in, file, sink, block, at, static_cast<std::size_t>(here), 8);
-      else
+                     (static_cast<std::size_t>(in.at() - at) + in.left()) / tag_size));
+      if (!ElementSink::is_read(of))
         sink.leave_out(type, here);
+      else if (is_4_0)
+        read_binary<std::int32_t>(in, file, sink, block, at, static_cast<std::size_t>(here), 4);
+      else
+        read_binary<std::uint64_t>(in, file, sink, block, at, static_cast<std::size_t>(here), 8);
       continue;
     }
     if (!ElementSink::is_read(of)) sink.leave_out(type, here);

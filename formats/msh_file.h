@@ -15,6 +15,7 @@
 
 namespace pliant {
 
+inline constexpr std::size_t msh_point_type = 15;
 inline constexpr int msh_type_count = 141;  ///< one more than the last element type
 
 /// One of Gmsh's element types.
@@ -110,9 +111,11 @@ MshFile read_msh_file(std::string_view bytes);
 
 // The bulk sections, one reader each (msh_nodes.cpp, msh_elements.cpp): the cursor stands behind "$Nodes" and its line
 // end, and is left where "$EndNodes" must follow.
-void read_nodes_2(MshCursor& in, MshFile& file);
-void read_nodes_4(MshCursor& in, MshFile& file);
+void read_nodes_1(MshCursor& in, MshFile& file);
+void read_nodes_2(MshCursor& in, MshFile& file, bool parametric);
+void read_nodes_4(MshCursor& in, MshFile& file, bool is_4_0);
+void read_elements_1(MshCursor& in, MshFile& file);
 void read_elements_2(MshCursor& in, MshFile& file);
-void read_elements_4(MshCursor& in, MshFile& file);
+void read_elements_4(MshCursor& in, MshFile& file, bool is_4_0);
 
 }  // namespace pliant

@@ -91,14 +91,58 @@ void read_binary_2(MshCursor& in, NodeSink& nodes, std::size_t count) {
   }
 }
 
+/// Version 4.0: each node has its tag, of 4 bytes, before its place.
+void read_block_4_0(MshCursor& in, NodeSink& nodes, std::size_t count, std::size_t parameters) {
+  for (std::size_t k = 0; k < count; ++k) {
+    const std::int32_t tag = in.int32("a node tag");
+    if (tag < 0) in.fail("expected a node tag, found " + std::to_string(tag));
+    nodes.tag(static_cast<std::uint64_t>(tag), in.at());
+    const char* where = in.at();
+    const double x = in.number("a coordinate"), y = in.number("a coordinate");
+    nodes.place(x, y, in.number("a coordinate"), where);
+    for (std::size_t p = 0; p < parameters; ++p) in.number("a parameter");
+  }
+}
+
+/// Version 2, with Mesh.SaveParametric: the entity on which each node lies, and its parameters there.
+void read_parametric(MshCursor& in, NodeSink& nodes, std::uint64_t count) {
+  for (std::uint64_t k = 0; k < count; ++k) {
+    const std::int32_t tag = in.int32("a node number");
+    if (tag < 0) in.fail("expected a node number, found " + std::to_string(tag));
+    nodes.tag(static_cast<std::uint64_t>(tag), in.at());
+    const char* where = in.at();
+    const double x = in.number("a coordinate"), y = in.number("a coordinate");
+    nodes.place(x, y, in.number("a coordinate"), where);
+    const std::int32_t dimension = in.int32("the dimension of a node's entity");
+    if (dimension < 0 || dimension > 3)
+      in.fail("expected the dimension of a node's entity, 0 to 3, found " + std::to_string(dimension));
+    in.int32("the tag of a node's entity");
+    for (int p = 0; p < (dimension == 3 ? 0 : dimension); ++p) in.number("a parameter");
+  }
+}
+
 }  // namespace
 
-void read_nodes_2(MshCursor& in, MshFile& file) {
+void read_nodes_1(MshCursor& in, MshFile& file) {
+  const std::uint64_t count = in.text_size("the number of nodes");
+  in.room_for(count, 8, "nodes");
+  NodeSink nodes(in, file, count);
+  for (std::uint64_t k = 0; k < count; ++k) {
+    nodes.tag(in.text_size("a node number"), in.at());
+    read_text_place(in, nodes);
+    in.line();  // with Mesh.SaveParametric Gmsh adds the entity and its parameters
+  }
+  nodes.finish();
+}
+
+void read_nodes_2(MshCursor& in, MshFile& file, bool parametric) {
   const std::uint64_t count = in.text_size("the number of nodes");
   in.end_line("the number of nodes");
   in.room_for(count, in.binary ? 4 + 3 * 8 : 8, "nodes");
   NodeSink nodes(in, file, count);
-  if (in.binary) {
+  if (parametric) {
+    read_parametric(in, nodes, count);
+  } else if (in.binary) {
     in.swapped ? read_binary_2<true>(in, nodes, static_cast<std::size_t>(count))
                : read_binary_2<false>(in, nodes, static_cast<std::size_t>(count));
   } else {
@@ -110,22 +154,29 @@ void read_nodes_2(MshCursor& in, MshFile& file) {
   nodes.finish();
 }
 
-void read_nodes_4(MshCursor& in, MshFile& file) {
+void read_nodes_4(MshCursor& in, MshFile& file, bool is_4_0) {
   const std::uint64_t blocks = in.size("the number of blocks");
   const std::uint64_t count = in.size("the number of nodes");
-  in.size("the least node tag");
-  in.size("the greatest node tag");
-  in.room_for(count, in.binary ? 8 + 3 * 8 : 8, "nodes");
+  if (!is_4_0) {
+    in.size("the least node tag");
+    in.size("the greatest node tag");
+  }
+  in.room_for(count, in.binary ? (is_4_0 ? 4 : 8) + 3 * 8 : 8, "nodes");
   NodeSink nodes(in, file, count);
   for (std::uint64_t block = 0; block < blocks; ++block) {
-    const std::int32_t dimension = in.int32("a block's dimension");
-    in.int32("an entity's tag");
+    std::int32_t dimension = in.int32(is_4_0 ? "an entity's tag" : "a block's dimension");
+    const std::int32_t second = in.int32(is_4_0 ? "a block's dimension" : "an entity's tag");
+    if (is_4_0) dimension = second;
     const std::int32_t parametric = in.int32("0 or 1 (parametric)");
     if (dimension < 0 || dimension > 3 || parametric < 0 || parametric > 1)
       in.fail("expected a block of nodes: a dimension from 0 to 3, a tag, 0 or 1 (parametric), a number of nodes");
     const std::uint64_t here = in.size("the block's number of nodes");
     nodes.block(here);
     const auto parameters = static_cast<std::size_t>(parametric * dimension);
+    if (is_4_0) {
+      read_block_4_0(in, nodes, static_cast<std::size_t>(here), parameters);
+      continue;
+    }
     if (in.binary) {
       in.swapped ? read_block_4<true>(in, nodes, static_cast<std::size_t>(here), parameters)
                  : read_block_4<false>(in, nodes, static_cast<std::size_t>(here), parameters);

@@ -12,27 +12,31 @@ class SectionReader {
   explicit SectionReader(std::string_view bytes) : in_(bytes) {}
 
   MshFile read() {
-    read_header();
     for (in_.skip_space(); !in_.at_end(); in_.skip_space()) read_section();
-    if (!has_nodes_) in_.fail("the file has no section $Nodes");
-    if (!has_elements_) in_.fail("the file has no section $Elements");
+    if (version_ == 0) fail_without_header(in_.at());
+    if (!has("Nodes")) in_.fail("the file has no section $Nodes");
+    if (!has("Elements")) in_.fail("the file has no section $Elements");
     return std::move(file_);
   }
 
  private:
+  [[noreturn]] void fail_without_header(const char* where) const {
+    in_.fail_at(where, "expected " + std::string(msh_magic) + " (an MSH file), found " + in_.found_at(where));
+  }
+
   void read_header() {
-    if (const std::string_view all(in_.at(), in_.left()); all.substr(0, all.find_first_of("\r\n")) == "$NOD")
-      in_.fail("MSH version 1: versions 2.2 and 4.1 are read");
-    in_.expect(msh_magic, " (an MSH file)");
-    in_.end_line("$MeshFormat");
     in_.skip_space();
     const char* start = in_.at();
     const std::string_view version = in_.word();
     if (version == "4.1")
-      is_4_ = true;
-    else if (version != "2.2" && version != "2.1" && version != "2" && version != "2.0")
+      version_ = 41;
+    else if (version == "4" || version == "4.0")
+      version_ = 40;
+    else if (version == "2.2" || version == "2.1" || version == "2" || version == "2.0")
+      version_ = 20;
+    else
       in_.fail_at(start, "MSH version " + std::string(version.substr(0, 20)) +
-                             ": versions 2.2 and 4.1 are read (gmsh -format msh41 writes one)");
+                             ": versions 1, 2, 4.0 and 4.1 are read (gmsh -format msh41 writes one)");
     const std::int32_t type = in_.text_int("0 (text) or 1 (binary)");
     if (type != 0 && type != 1) in_.fail("the file type is " + std::to_string(type) + ", not 0 (text) or 1 (binary)");
     const std::int32_t size = in_.text_int("8, the size of numbers");
@@ -48,30 +52,58 @@ class SectionReader {
     in_.expect("$EndMeshFormat", " behind the file's format");
   }
 
+  bool has(std::string_view name) const { return std::find(seen_.begin(), seen_.end(), name) != seen_.end(); }
+
+  /// What may come once, and what must have come before it.
+  void begin(std::string_view name, const char* start, std::string_view needed = {}) {
+    const std::string text(name);
+    if (version_ == 0) in_.fail_at(start, "expected " + std::string(msh_magic) + " before $" + text);
+    if (has(name)) in_.fail_at(start, "a second section $" + text + ": only files with one are read");
+    if (!needed.empty() && !has(needed))
+      in_.fail_at(start, "expected the section $" + std::string(needed) + " before $" + text);
+    seen_.push_back(name);
+  }
+
   void read_section() {
     const char* start = in_.at();
-    if (*start != '$') in_.fail("expected a section, which starts with $, found " + in_.found());
+    if (*start != '$') {
+      if (version_ == 0) fail_without_header(start);
+      in_.fail("expected a section, which starts with $, found " + in_.found());
+    }
     const std::string_view line = in_.line();
     const std::string_view name = line.substr(
         1, line.find_last_not_of(" \t") == std::string_view::npos ? line.npos : line.find_last_not_of(" \t"));
-    if (name == "Nodes") {
-      if (has_nodes_) in_.fail_at(start, "a second section $Nodes");
-      has_nodes_ = true;
-      is_4_ ? read_nodes_4(in_, file_) : read_nodes_2(in_, file_);
-      in_.expect("$EndNodes", " behind the nodes");
+    const bool is_4 = version_ >= 40, is_4_0 = version_ == 40;
+    if (name == "MeshFormat") {
+      if (version_ != 0) in_.fail_at(start, "a second section $MeshFormat: only files with one are read");
+      read_header();
+    } else if ((name == "NOD" || name == "NOE") && (version_ == 0 || version_ == 1)) {
+      version_ = 1;
+      begin("Nodes", start);
+      read_nodes_1(in_, file_);
+      in_.expect("$END" + std::string(name), " behind the nodes");
+    } else if (name == "ELM" && version_ == 1) {
+      begin("Elements", start, "Nodes");
+      read_elements_1(in_, file_);
+      in_.expect("$ENDELM", " behind the elements");
+    } else if (name == "Nodes" || (name == "ParametricNodes" && !is_4)) {
+      begin("Nodes", start);
+      is_4 ? read_nodes_4(in_, file_, is_4_0) : read_nodes_2(in_, file_, name == "ParametricNodes");
+      in_.expect("$End" + std::string(name), " behind the nodes");
     } else if (name == "Elements") {
-      if (has_elements_) in_.fail_at(start, "a second section $Elements");
-      if (!has_nodes_) in_.fail_at(start, "expected the section $Nodes before $Elements");
-      has_elements_ = true;
-      is_4_ ? read_elements_4(in_, file_) : read_elements_2(in_, file_);
+      begin("Elements", start, "Nodes");
+      is_4 ? read_elements_4(in_, file_, is_4_0) : read_elements_2(in_, file_);
       in_.expect("$EndElements", " behind the elements");
     } else if (name == "PhysicalNames") {
+      begin("PhysicalNames", start);
       read_names();
       in_.expect("$EndPhysicalNames", " behind the names");
-    } else if (name == "Entities" && is_4_) {
+    } else if (name == "Entities" && is_4) {
+      begin("Entities", start);
       read_entities(false);
       in_.expect("$EndEntities", " behind the entities");
-    } else if (name == "PartitionedEntities" && is_4_) {
+    } else if (name == "PartitionedEntities" && is_4) {
+      begin("PartitionedEntities", start);
       read_entities(true);
       in_.expect("$EndPartitionedEntities", " behind the entities");
     } else {
@@ -82,9 +114,11 @@ class SectionReader {
   void skip_section(const char* start, std::string_view name) {
     if (name.empty() || name.size() > 100 || name.substr(0, 3) == "End")
       in_.fail_at(start, "expected a section, which starts with $ and its name");
+    const char* behind = in_.at();
     for (const char c : name)
       if (c < 33 || c > 126) in_.fail_at(start, "expected a section, which starts with $ and its name");
-    if (!in_.skip_behind("$End" + std::string(name)))
+    if (!in_.skip_behind("$End" + std::string(name)) && version_ == 0) fail_without_header(start);
+    if (in_.at() == behind)
       in_.fail_at(start, "the section $" + std::string(name) + " does not end: there is no $End" + std::string(name));
     // Nothing that a mesh is made of.
     for (const char* dull : {"Comments", "Comment", "Periodic", "GhostElements", "Parametrizations"})
@@ -132,7 +166,7 @@ class SectionReader {
       if (parent_dimension == dimension) entity.parent = parent;
       skip_ints("a number of partitions", "a partition");
     }
-    for (int k = 0; k < (dimension == 0 ? 3 : 6); ++k) in_.number("a coordinate");
+    for (int k = 0; k < (dimension == 0 && version_ != 40 ? 3 : 6); ++k) in_.number("a coordinate");
     const std::uint64_t physical = in_.size("a number of physical tags");
     for (std::uint64_t k = 0; k < physical; ++k) {
       const std::int32_t value = in_.int32("a physical tag");
@@ -150,12 +184,11 @@ class SectionReader {
 
   MshCursor in_;
   MshFile file_;
-  bool is_4_ = false, has_nodes_ = false, has_elements_ = false;
+  int version_ = 0;                     ///< 0: not known yet; 1, 20, 40, 41
+  std::vector<std::string_view> seen_;  ///< sections that may come once
 };
 
 }  // namespace
-
-bool is_msh(std::string_view bytes) { return bytes.substr(0, msh_magic.size()) == msh_magic; }
 
 MshFile read_msh_file(std::string_view bytes) { return SectionReader(bytes).read(); }
 

@@ -25,7 +25,7 @@ void append_escaped(std::string& pointer, std::string_view name) {
 
 // -- faults
 
-void JsonReader::throw_at(const char* where, const std::string& text, const std::string& below) const {
+std::string JsonReader::pointer() const {
   std::string pointer;
   for (const Step& step : path_) {
     pointer += '/';
@@ -34,18 +34,19 @@ void JsonReader::throw_at(const char* where, const std::string& text, const std:
     else
       pointer += std::to_string(step.index);
   }
-  const long line = 1 + static_cast<long>(std::count(begin_, where, '\n'));
-  const char* start = where;
-  while (start != begin_ && start[-1] != '\n') --start;
-  throw DocumentError(pointer + below, text, line, 1 + static_cast<long>(where - start));
+  return pointer;
 }
 
-void JsonReader::fail(const std::string& text, const std::string& below) const { throw_at(at_, text, below); }
+void JsonReader::fail(const std::string& text, const std::string& below) const {
+  const std::string pointer = this->pointer() + below;
+  // What comes behind the value's first byte has not been checked, and need not be JSON.
+  const std::size_t known = static_cast<std::size_t>(std::min(at_ + 1, end_) - begin_);
+  const DocumentPlace place = find_place({begin_, known}, pointer);
+  throw DocumentError(pointer, text, place);
+}
 
-void JsonReader::syntax(const std::string& text) const {
-  const char* start = at_;
-  while (start != begin_ && start[-1] != '\n') --start;
-  throw_at(at_, text + " (column " + std::to_string(at_ - start + 1) + ")", {});
+void JsonReader::fail_at(const char* where, const std::string& text) const {
+  throw DocumentError(pointer(), text, place_of_byte({begin_, end_}, static_cast<std::size_t>(where - begin_)));
 }
 
 std::string JsonReader::found() const {

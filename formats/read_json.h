@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "formats/document_place.h"
 #include "pliant/boundary/boundary_complex.h"
 #include "pliant/boundary/fault.h"
 
@@ -18,13 +19,13 @@ namespace pliant {
 /// Bad input with its place in the text too: line and column (bytes) from 1, counted from the start of the document.
 class DocumentError : public InputError {
  public:
-  DocumentError(std::string pointer, const std::string& text, long line, long column)
-      : InputError(std::move(pointer), text), line_(line), column_(column) {}
-  long line() const { return line_; }
-  long column() const { return column_; }
+  DocumentError(std::string pointer, const std::string& text, const DocumentPlace& place)
+      : InputError(std::move(pointer), with_column(text, place)), place_(place) {}
+  long line() const { return place_.line; }
+  long column() const { return place_.column; }
 
  private:
-  long line_, column_;
+  DocumentPlace place_;
 };
 
 /// One pass over one document, from the first byte to the last: the caller asks for what must stand next, and every
@@ -103,8 +104,9 @@ class JsonReader {
   void skip_number();
   void skip_value();
   void skip_word(const char* word);
-  [[noreturn]] void syntax(const std::string& text) const;
-  [[noreturn]] void throw_at(const char* where, const std::string& text, const std::string& below) const;
+  [[noreturn]] void syntax(const std::string& text) const { fail_at(at_, text); }
+  [[noreturn]] void fail_at(const char* where, const std::string& text) const;
+  std::string pointer() const;  ///< of the value now being read
   std::string found() const;
 
   const char* begin_;

@@ -73,7 +73,7 @@ double JsonReader::slow_number(const char* first, const char* last) const {
   if (std::from_chars(first, last, value).ec == std::errc()) return value;
   // Too large or too small for a double; strtod tells which, and rounds what is merely small.
   value = std::strtod(std::string(first, last).c_str(), nullptr);
-  if (!std::isfinite(value)) throw_at(first, "is too large for a double", {});
+  if (!std::isfinite(value)) fail_at(first, "is too large for a double");
   return value;
 }
 
@@ -111,8 +111,8 @@ std::int32_t JsonReader::read_integer() {
   }
   const char* first = at_;
   const double value = read_number();
-  if (value != std::floor(value)) throw_at(first, "should be an integer", {});
-  if (std::abs(value) > static_cast<double>(limit)) throw_at(first, "is beyond the integers of 32 bits", {});
+  if (value != std::floor(value)) fail_at(first, "should be an integer");
+  if (std::abs(value) > static_cast<double>(limit)) fail_at(first, "is beyond the integers of 32 bits");
   return static_cast<std::int32_t>(value);
 }
 

@@ -80,6 +80,16 @@ std::string number(double value) {
 }
 std::string number(std::int64_t value) { return std::to_string(value); }
 
+/// With the digits of a sum of round steps, as far as the column takes them.
+std::string time_text(double time) {
+  std::string text;
+  print(text, "%.11g", time);
+  if (text.size() <= 11) return text;
+  text.clear();
+  print(text, "%.5g", time);
+  return text;
+}
+
 void print_counts(std::string& out, const QualityReport& report) {
   const auto row = [&out](const char* first, const std::string& a, const char* second, const std::string& b,
                           const char* third, const std::string& c) {
@@ -89,7 +99,7 @@ void print_counts(std::string& out, const QualityReport& report) {
       number(report.invalid));
   row("vertices", number(report.vertices), "control points", number(report.control_points), "degenerate",
       number(report.degenerate));
-  row("area", number(report.area), "time", number(report.time), "overlaps", number(report.overlaps));
+  row("area", number(report.area), "time", time_text(report.time), "overlaps", number(report.overlaps));
   row("faces", std::to_string(report.faces.size()), "tangent jump",
       report.tangent_jump ? number(*report.tangent_jump) : "-", "faults", std::to_string(report.faults.size()));
 }

@@ -1,7 +1,9 @@
 #include "formats/svg_reader.h"  // formats/svg_reader.cpp: from the filled shapes to faces, curves and vertices
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdio>
 
 #include "formats/svg_import/element_tree.h"
 #include "formats/svg_import/loops.h"
@@ -25,22 +27,10 @@ constexpr const char* not_apart =
 double size_of(const std::vector<Shape>& shapes) {
   Box box;
   for (const Shape& shape : shapes) {
-    std::size_t next = 0;
-    for (const Step step : shape.outline.steps) {
-      const Point* p = shape.outline.points.data() + next;
-      const auto count = static_cast<std::size_t>(point_count(step));
-      next += count;
-      if (step == Step::arc) {
-        constexpr int parts = 8;
-        for (int i = 0; i < parts; ++i) {
-          const double t = p[3].x + p[3].y * i / parts;
-          box.extend(p[0] + p[1] * std::cos(t) + p[2] * std::sin(t));
-        }
-        box.extend(p[4]);
-      } else {
-        for (std::size_t i = 0; i < count; ++i) box.extend(p[i]);
-      }
-    }
+    const Box one = box_of(shape.outline);
+    if (!(one.low.x <= one.high.x)) continue;
+    box.extend(one.low);
+    box.extend(one.high);
   }
   return box.size();
 }
@@ -216,6 +206,36 @@ class Drawing {
 
 }  // namespace
 
+namespace {
+
+long count_pieces(const std::vector<Shape>& shapes, int degree, double tolerance, double size) {
+  LoopOptions options;
+  options.degree = degree;
+  options.size = size;
+  options.tolerance = tolerance * size;
+  LoopCounts counts;
+  for (const Shape& shape : shapes) make_loops(shape.outline, options, counts);
+  return counts.pieces;
+}
+
+/// Many small elements are often the price of a tolerance that nobody needs.
+void note_cost(const std::vector<Shape>& shapes, const SvgReadOptions& options, SvgImport& import) {
+  if (import.fitted == 0) return;
+  constexpr double looser = 100;
+  const int other = options.degree == 2 ? 3 : 2;
+  const double tolerance = std::min(1.0, looser * options.tolerance);
+  std::array<char, 256> text{};
+  std::snprintf(text.data(), text.size(),
+                "%ld of %ld pieces are fitted to within %.3g of the size; --degree %d would take %ld pieces in all, "
+                "--tolerance %.3g %ld",
+                import.fitted, import.pieces, options.tolerance, other,
+                count_pieces(shapes, other, options.tolerance, import.size), tolerance,
+                count_pieces(shapes, options.degree, tolerance, import.size));
+  import.notes.emplace_back(text.data());
+}
+
+}  // namespace
+
 SvgImport read_svg(std::string_view bytes, const SvgReadOptions& options) {
   SvgImport import;
   const Scene scene = read_scene(ElementTree(bytes));
@@ -232,6 +252,7 @@ SvgImport read_svg(std::string_view bytes, const SvgReadOptions& options) {
                              (import.shapes == 1 ? "" : "s") + " without an interior, " +
                              std::to_string(import.unfilled) + " without a fill, " + std::to_string(import.hidden) +
                              " hidden");
+  if (options.compares) note_cost(scene.shapes, options, import);
   if (options.planar)
     drawing.arrange_boundary();
   else

@@ -13,6 +13,7 @@ struct SvgReadOptions {
   double tolerance = 1e-6;  ///< of cubics and arcs that are fitted, as a part of the drawing's size; with `planar` also
                             ///< of curves that run together
   bool planar = false;      ///< shapes may meet: each gives way to those painted after it (arrange)
+  bool compares = false;    ///< tell how many pieces another degree and a looser tolerance would take
 };
 
 struct SvgImport {
@@ -24,6 +25,7 @@ struct SvgImport {
   long no_border = 0;                 ///< loops left out: the same shape on both sides
   long pieces = 0, fitted = 0;        ///< Bézier pieces, and those of them that are not exact
   long smooth = 0, corners = 0;       ///< joins of pieces
+  std::vector<std::string> notes;     ///< what the degree and the tolerance cost, if `compares`
   long intersections = 0;             ///< of a planar drawing: places where curves meet
   double snapped = 0;                 ///< length: curves that are closer run together
   long slivers = 0;                   ///< pieces of curves that were merged with one beside them

@@ -2,7 +2,10 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
+#include <cstdlib>
+#include <limits>
 #include <sstream>
 
 #include "criteria_options.h"
@@ -109,6 +112,29 @@ std::string explain(const AdvectOutcome& outcome, double dt) {
   return text.str();
 }
 
+/// The time that a step led to, without the rounding errors that steps of a round length pile up: 100 steps of 0.05
+/// from 0 end at 5. It is the nearest number of at most 12 digits, if that is the same time.
+double round_time(double time, double dt) {
+  char digits[32];
+  std::snprintf(digits, sizeof digits, "%.12g", time);
+  const double round = std::strtod(digits, nullptr);
+  constexpr double few_bits = 4 * std::numeric_limits<double>::epsilon();
+  const double allowed = std::min(same_time * dt, few_bits * std::max(std::abs(time), dt));
+  return std::abs(round - time) <= allowed ? round : time;
+}
+
+/// A loop until some time would never end.
+void require_progress(double before, double after) {
+  if (after > before) return;
+  const double next = std::nextafter(before, std::numeric_limits<double>::infinity()) - before;
+  std::ostringstream text;
+  text.precision(17);
+  text << "the step does not advance the time " << before;
+  text.precision(3);
+  text << ": the next number is " << next << " later, so that --dt must be at least that; or let the time begin at 0";
+  throw NoResult(text.str());
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -170,6 +196,8 @@ int main(int argc, char** argv) {
           reaches = left <= dt * (1 + same_time);
           if (reaches) options.dt = left;
         }
+        const double before = mesh.time;
+        require_progress(before, reaches ? until : before + options.dt);
         const double unit = mesh.boundary().unit;
         const VelocityField velocity = [&flow, unit](const Point& place, double time) {
           return flow.velocity(unit * place, time) / unit;
@@ -181,7 +209,10 @@ int main(int argc, char** argv) {
           throw NoResult(explain(outcome, options.dt));
         if (options.policy == StepPolicy::force && outcome.blocking != none)
           say(tool, "forced an unsafe step: " + outcome.report.notes.back());
-        if (reaches && outcome.status == Status::done) mesh.time = until;
+        require_progress(before, mesh.time);
+        if (outcome.status == Status::done) mesh.time = reaches ? until : round_time(mesh.time, options.dt);
+        for (auto& [name, value] : outcome.report.values)
+          if (name == "time") value = mesh.time;
         return outcome.report;
       },
       filter);

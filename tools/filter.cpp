@@ -14,6 +14,7 @@
 #include "formats/mesh_json.h"
 #include "formats/msh.h"
 #include "formats/read_json.h"
+#include "formats/recognize.h"
 #include "pliant/geometry/describe.h"
 #include "pliant/mesh/check_mesh.h"
 #include "pliant/mesh/document_unit.h"
@@ -43,8 +44,16 @@ std::string at_pointer(const std::string& pointer, const std::string& text) {
   return pointer.empty() ? text : pointer + ": " + text;
 }
 
+/// A fault that a check found after reading, with the line and column of what it blames.
+std::string describe_fault(const Frame& frame, std::string_view document, const std::string& pointer,
+                           const std::string& text) {
+  if (pointer.empty()) return where(frame, frame.line) + text;
+  const DocumentPlace place = find_place(document, pointer);
+  return where(frame, frame.line + place.line - 1) + at_pointer(pointer, with_column(text, place));
+}
+
 /// Runs `work` on one document and adds the document's place to what it throws.
-void with_place(const Frame& frame, const std::function<void()>& work) {
+void with_place(const Frame& frame, std::string_view document, const std::function<void()>& work) {
   try {
     work();
   } catch (const DocumentError& e) {
@@ -52,10 +61,10 @@ void with_place(const Frame& frame, const std::function<void()>& work) {
   } catch (const BadMesh& e) {
     std::string text;
     for (const Fault& fault : e.faults())
-      text += (text.empty() ? "" : "\n") + where(frame, frame.line) + at_pointer(fault.place, fault.text);
+      text += (text.empty() ? "" : "\n") + describe_fault(frame, document, fault.place, fault.text);
     throw Placed(status::bad_input, text);
   } catch (const InputError& e) {
-    throw Placed(status::bad_input, where(frame, frame.line) + at_pointer(e.pointer(), e.what()));
+    throw Placed(status::bad_input, describe_fault(frame, document, e.pointer(), e.what()));
   } catch (const NoResult& e) {
     throw Placed(status::no_result, frame.source + ": frame " + std::to_string(frame.index) + ": " + e.what());
   } catch (const std::domain_error& e) {
@@ -70,7 +79,8 @@ struct Closer {
   void operator()(std::FILE* file) const { std::fclose(file); }
 };
 
-void for_each_document(const ToolOptions& options, const std::function<void(std::string_view text, const Frame&)>& use,
+void for_each_document(const ToolOptions& options, FileKind kind,
+                       const std::function<void(std::string_view text, const Frame&)>& use,
                        const std::function<void(std::string_view bytes, const Frame&)>& use_msh_file = {}) {
   std::unique_ptr<std::FILE, Closer> file;
   Frame frame;
@@ -82,16 +92,27 @@ void for_each_document(const ToolOptions& options, const std::function<void(std:
   }
   DocumentStream stream(file == nullptr ? stdin : file.get(), frame.source);
   if (use_msh_file) {
-    const std::string_view bytes = stream.all_if(msh_magic);
+    const std::string_view bytes = stream.all_if("$");
     if (!bytes.empty()) return use_msh_file(bytes, frame);
   }
+  const std::string head(stream.head_unless_object(recognized_by));
   std::string_view document;
   while (stream.next(document)) {
     frame.index = stream.frame();
     frame.line = stream.first_line();
-    with_place(frame, [&] { use(document, frame); });
+    try {
+      with_place(frame, document, [&] { use(document, frame); });
+    } catch (const Placed& e) {
+      const std::string other = e.status() == status::bad_input && frame.index == 0
+                                    ? describe_other_kind(head.empty() ? document : head, kind)
+                                    : "";
+      if (other.empty()) throw;
+      throw Placed(status::bad_input, frame.source + ": " + other);
+    }
   }
-  if (stream.frame() < 0) throw Placed(status::bad_input, frame.source + ":1: the input is empty; expected a document");
+  if (stream.frame() < 0)
+    throw Placed(status::bad_input,
+                 frame.source + ":1: the input is empty" + (options.input == "-" ? "" : "; expected a document"));
 }
 
 /// Says which triangles are which elements, in a few lines or not at all.
@@ -148,7 +169,8 @@ void add_common_options(CLI::App& app, ToolOptions& options, bool with_report) {
   if (with_report)
     app.add_option("--report", options.report, "write what was done to this file, a line of JSON a frame")
         ->type_name("FILE");
-  auto* quiet = app.add_flag("-q,--quiet", options.quiet, "no messages");
+  auto* quiet =
+      app.add_flag("-q,--quiet", options.quiet, "no progress, no summary, no warnings; errors are said all the same");
   app.add_flag("-v,--verbose", options.verbose, "say what was done")->excludes(quiet);
   if (app.get_version_ptr() == nullptr)  // else the tool has more to say
     app.set_version_flag("--version", app.get_name() + " (Pliant) " PLIANT_VERSION);
@@ -164,7 +186,7 @@ int run_tool(CLI::App& app, int argc, char** argv, ToolOptions& options, const s
       last = text.find('\n', first);
       out += options.tool + ": " + text.substr(first, last == std::string::npos ? last : last - first) + "\n";
     }
-    if (!options.quiet) std::fputs(out.c_str(), stderr);
+    std::fputs(out.c_str(), stderr);
     return exit_status;
   };
   options.tool = app.get_name();
@@ -172,7 +194,8 @@ int run_tool(CLI::App& app, int argc, char** argv, ToolOptions& options, const s
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
     if (e.get_exit_code() != 0)
-      return stop(status::wrong_usage, std::string(e.what()) + "\n`" + options.tool + " --help` lists the options");
+      return stop(status::wrong_usage,
+                  explain_usage(app, e.what()) + "\n`" + options.tool + " --help` lists the options");
     app.exit(e);
     return std::fflush(stdout) == 0 && std::cout.flush() ? status::done : stop(status::io_failed, "cannot write");
   }
@@ -196,7 +219,10 @@ int run_tool(CLI::App& app, int argc, char** argv, ToolOptions& options, const s
 }
 
 void say(const ToolOptions& options, const std::string& text) {
-  if (options.quiet) return;
+  if (!options.quiet) say_failure(options, text);
+}
+
+void say_failure(const ToolOptions& options, const std::string& text) {
   const auto quiet_line = ProgressLine::give_way();
   std::fprintf(stderr, "%s: %s\n", options.tool.c_str(), text.c_str());
 }
@@ -214,10 +240,12 @@ void for_each_mesh(const ToolOptions& options, const std::function<void(MeshData
     require_document_size(data);
     use(std::move(data), frame);
   };
-  if (!options.takes_msh) return for_each_document(options, use_document);
-  for_each_document(options, use_document, [&](std::string_view bytes, const Frame& frame) {
+  if (!options.takes_msh) return for_each_document(options, FileKind::mesh, use_document);
+  for_each_document(options, FileKind::mesh, use_document, [&](std::string_view bytes, const Frame& frame) {
     use_msh(options, {}, bytes, frame, [&](MshImport&& import, const Frame&) {
       require_document_size(import.mesh);
+      if (options.verbose)
+        for (const std::string& text : import.notes) say(options, frame.source + ": " + text);
       use(std::move(import.mesh), frame);
     });
   });
@@ -227,11 +255,12 @@ void for_msh(const ToolOptions& options, const MshOptions& msh,
              const std::function<void(MshImport&&, const Frame&)>& use) {
   // What is no MSH file goes to its reader all the same, which says so.
   const auto refuse = [&](std::string_view text, const Frame& frame) { use_msh(options, msh, text, frame, use); };
-  for_each_document(options, refuse, refuse);
+  for_each_document(options, FileKind::msh, refuse, refuse);
 }
 
 void for_each_boundary(const ToolOptions& options, const std::function<void(BoundaryComplex&&, const Frame&)>& use) {
-  for_each_document(options, [&](std::string_view text, const Frame& frame) { use(read_boundary(text), frame); });
+  for_each_document(options, FileKind::boundary,
+                    [&](std::string_view text, const Frame& frame) { use(read_boundary(text), frame); });
 }
 
 std::string explain_unit(double unit) {
@@ -288,7 +317,7 @@ int run_filter(CLI::App& app, int argc, char** argv, const std::function<PassRep
     ProgressLine line(options);
     Stopwatch watch;
     std::string text;
-    for_each_document(options, [&](std::string_view document, const Frame& frame) {
+    for_each_document(options, FileKind::mesh, [&](std::string_view document, const Frame& frame) {
       watch.lap();
       line.stage("read");
       MeshData data = read_mesh(document);

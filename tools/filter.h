@@ -69,8 +69,14 @@ void add_common_options(CLI::App& app, ToolOptions& options, bool with_report = 
 /// the status itself where nothing is thrown. A closed pipe ends the process by SIGPIPE.
 int run_tool(CLI::App& app, int argc, char** argv, ToolOptions& options, const std::function<int()>& body);
 
-/// "TOOL: text" on standard error, unless -q.
+/// What is wrong with the arguments that the parser did not take, and the nearest option there is; `complaint` is what
+/// the parser says, for all other faults.
+std::string explain_usage(const CLI::App& app, const std::string& complaint);
+
+/// "TOOL: text" on standard error, unless -q: what was done, and what was left out.
 void say(const ToolOptions& options, const std::string& text);
+/// The same in spite of -q: what makes the exit status another than 0.
+void say_failure(const ToolOptions& options, const std::string& text);
 /// With -v, what an exporter has written: how many meshes with how many elements in all, and bytes.
 void say_written(const ToolOptions& options, std::size_t meshes, std::size_t triangles, std::size_t bytes);
 
@@ -82,8 +88,8 @@ struct Frame {
 };
 
 /// Calls `use` with every mesh of the input, one at a time. What `use` throws gets the place of the document: an
-/// InputError comes out with "FILE:LINE: frame N: /pointer: ", a NoResult with "FILE: frame N: ". With `takes_msh` an
-/// MSH file, known by its first bytes, is one frame; what it lacks is said on standard error.
+/// InputError comes out with "FILE:LINE: frame N: /pointer: TEXT (column N)", a NoResult with "FILE: frame N: ". With
+/// `takes_msh` an MSH file, known by its first bytes, is one frame; what it lacks is said on standard error.
 /// Throws      InputError also for an empty input; std::system_error where the input cannot be read
 void for_each_mesh(const ToolOptions& options, const std::function<void(MeshData&&, const Frame&)>& use);
 /// The same with boundary documents.

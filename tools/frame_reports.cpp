@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cmath>
+#include <filesystem>
 #include <optional>
 #include <system_error>
 
@@ -166,9 +167,27 @@ void FrameReports::State::print(const Frame& frame, double time, const PassRepor
   if (!growth.empty()) say(options, "  " + growth);
 }
 
+namespace {
+
+/// Do both paths lead to one file, there or not?
+bool is_same_file(const std::string& a, const std::string& b) {
+  std::error_code error;
+  const auto resolved = [&error](const std::string& path) {
+    return std::filesystem::weakly_canonical(std::filesystem::absolute(path, error), error);
+  };
+  if (std::filesystem::equivalent(a, b, error) && !error) return true;
+  return resolved(a) == resolved(b);
+}
+
+}  // namespace
+
 FrameReports::FrameReports(const ToolOptions& options) : state_(new State{options}) {
   if (options.report.empty()) return;
   if (options.report == "-") throw UsageError("--report - would mix the report with the result; give it a file");
+  for (const auto& [path, what] : {std::pair(options.output, "-o"), std::pair(options.input, "INPUT")})
+    if (path != "-" && is_same_file(options.report, path))
+      throw UsageError("--report and " + std::string(what) + " name the same file, '" + options.report +
+                       "'; give the report one of its own");
   state_->file = std::fopen(options.report.c_str(), "we");
   if (state_->file == nullptr) throw std::system_error(errno, std::generic_category(), options.report);
 }

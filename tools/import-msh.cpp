@@ -34,13 +34,14 @@ PassReport summarize(const MshImport& import) {
   report.add("faces", static_cast<double>(mesh.boundary.faces.size()));
   report.add("curves", static_cast<double>(mesh.boundary.curves.size()));
   report.notes = import.warnings;
+  report.notes.insert(report.notes.end(), import.notes.begin(), import.notes.end());
   return report;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app{"Read a Gmsh MSH file, 2.2 or 4.1, as a mesh of Bezier triangles.", "import-msh"};
+  CLI::App app{"Read a Gmsh MSH file, versions 1 to 4.1, as a mesh of Bezier triangles.", "import-msh"};
   ToolOptions options;
   MshOptions msh;
   FieldOption fields;

@@ -7,6 +7,7 @@
 #include "criteria_options.h"
 #include "filter.h"
 #include "formats/mesh_json.h"
+#include "formats/recognize.h"
 #include "formats/svg_reader.h"  // tools/import-svg.cpp
 
 namespace {
@@ -58,6 +59,7 @@ PassReport summarize(const SvgImport& import) {
   report.add("sliver_area", import.sliver_area);
   count("covered", import.covered);
   report.notes = import.warnings;
+  report.notes.insert(report.notes.end(), import.notes.begin(), import.notes.end());
   return report;
 }
 
@@ -99,6 +101,7 @@ int main(int argc, char** argv) {
     svg.tolerance = parse_positive("--tolerance", tolerance);
     if (svg.tolerance < least_tolerance || svg.tolerance > 1)
       throw UsageError("--tolerance: '" + tolerance + "' is not between 1e-12 and 1");
+    svg.compares = options.verbose || !options.report.empty();
     OutputFile output(options.output);
     FrameReports reports(options);
     Stopwatch watch;
@@ -109,7 +112,8 @@ int main(int argc, char** argv) {
     try {
       import = read_svg(bytes, svg);
     } catch (const InputError& e) {
-      throw InputError("", with_file(frame.source, e));
+      const std::string other = describe_other_kind(bytes, FileKind::svg);
+      throw InputError("", other.empty() ? with_file(frame.source, e) : frame.source + ": " + other);
     }
     if (!options.verbose)  // else they are notes of the report
       for (const std::string& warning : import.warnings) say(options, frame.source + ": " + warning);

@@ -3,6 +3,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <csignal>
@@ -42,6 +43,15 @@ mode_t usual_mode() {
   return 0666 & ~mask;
 }
 
+/// What stands there after a tool was killed says by its name what it is.
+std::string temporary_name(const std::string& path) {
+  constexpr std::string_view mark = ".unfinished-XXXXXX";
+  constexpr std::size_t longest = 255;  // of a name in a folder
+  const std::size_t folder = path.rfind('/') + 1;
+  const std::size_t kept = std::min(path.size() - folder, longest - mark.size());
+  return path.substr(0, folder + kept) + std::string(mark);
+}
+
 }  // namespace
 
 struct OutputFile::State {
@@ -58,7 +68,7 @@ struct OutputFile::State {
 
   void open_beside(const std::string& path, mode_t mode) {
     target = path;
-    temporary = path + ".XXXXXX";
+    temporary = temporary_name(path);
     file = mkostemp(temporary.data(), O_CLOEXEC);
     if (file < 0) {
       temporary.clear();

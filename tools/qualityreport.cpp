@@ -134,7 +134,7 @@ class ReportWriter {
   std::string text_;
 };
 
-/// Says which conditions hold; true if any does.
+/// Says which conditions hold, also with -q; true if any does.
 bool complain(const ToolOptions& options, const Frame& frame, const std::vector<Condition>& conditions,
               const QualityReport& report) {
   bool any = false;
@@ -142,7 +142,7 @@ bool complain(const ToolOptions& options, const Frame& frame, const std::vector<
     if (!condition.holds(report)) continue;
     any = true;
     const std::array values{*condition.value(report), condition.bound()};
-    say(options, place_of(frame) + ": " + condition.text() + ": it is " + describe_apart(values).front());
+    say_failure(options, place_of(frame) + ": " + condition.text() + ": it is " + describe_apart(values).front());
   }
   return any;
 }

@@ -16,6 +16,13 @@ struct Affine {
     return {a * m.a + c * m.b, b * m.a + d * m.b,     a * m.c + c * m.d,
             b * m.c + d * m.d, a * m.e + c * m.f + e, b * m.e + d * m.f + f};
   }
+  /// Requires    a determinant other than 0
+  Affine inverse() const {
+    const double det = determinant();
+    const Affine turn{d / det, -b / det, -c / det, a / det, 0, 0};
+    const Point moved = turn({e, f});
+    return {turn.a, turn.b, turn.c, turn.d, -moved.x, -moved.y};
+  }
   double determinant() const { return a * d - b * c; }
 };
 

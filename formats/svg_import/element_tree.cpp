@@ -14,6 +14,7 @@ namespace {
 
 constexpr std::string_view svg_space = "http://www.w3.org/2000/svg";
 constexpr std::string_view xlink_space = "http://www.w3.org/1999/xlink";
+constexpr std::string_view inkscape_space = "http://www.inkscape.org/namespaces/inkscape";
 constexpr char between = '\n';           // namespace and local name; stands in neither
 constexpr int most_entity_bytes = 1024;  // drawing programs name namespaces by entities, and nothing longer
 
@@ -37,6 +38,9 @@ class Builder {
     XML_SetCharacterDataHandler(parser_.get(), [](void* self, const char* text, int length) {
       static_cast<Builder*>(self)->guard([&](Builder& b) { b.add_text({text, static_cast<std::size_t>(length)}); });
     });
+    XML_SetProcessingInstructionHandler(parser_.get(), [](void* self, const char* target, const char*) {
+      if (std::string_view(target) == "xml-stylesheet") static_cast<Builder*>(self)->names_sheets_ = true;
+    });
     XML_SetEntityDeclHandler(parser_.get(), [](void* self, const char* name, int is_parameter, const char* value,
                                                int length, const char*, const char*, const char*, const char*) {
       static_cast<Builder*>(self)->guard([&](Builder& b) {
@@ -46,6 +50,8 @@ class Builder {
       });
     });
   }
+
+  bool names_sheets() const { return names_sheets_; }
 
   void parse(std::string_view bytes) {
     if (bytes.size() > INT_MAX) throw InputError("", "the file has more than 2 GB");
@@ -107,12 +113,14 @@ class Builder {
       element.attributes.emplace_back(name, value);
     else if (name.substr(0, cut) == xlink_space && name.substr(cut + 1) == "href")
       element.attributes.emplace_back("xlink:href", value);
+    else if (name.substr(0, cut) == inkscape_space && name.substr(cut + 1) == "label")
+      element.attributes.emplace_back("inkscape:label", value);
   }
 
   void add_text(std::string_view text) {
     if (open_.empty()) return;
     Element& element = elements_[static_cast<std::size_t>(open_.back())];
-    if (element.name == "style") element.text += text;
+    if (element.name == "style" || element.name == "title") element.text += text;
   }
 
   /// Entities without entities in them cannot grow faster than the file; Expat limits the factor.
@@ -136,7 +144,7 @@ class Builder {
 
   std::vector<Element>& elements_;
   std::vector<int> open_;
-  bool has_no_space_ = false;
+  bool has_no_space_ = false, names_sheets_ = false;
   std::unique_ptr<std::remove_pointer_t<XML_Parser>, Freer> parser_;
   std::exception_ptr failure_;
 };
@@ -152,7 +160,9 @@ const std::string* Element::find(std::string_view attribute) const {
 ElementTree::ElementTree(std::string_view bytes) {
   if (std::all_of(bytes.begin(), bytes.end(), [](char c) { return c == ' ' || c == '\n' || c == '\t' || c == '\r'; }))
     throw InputError("", "the input is empty; expected an SVG document");
-  Builder(elements_).parse(bytes);
+  Builder builder(elements_);
+  builder.parse(bytes);
+  names_sheets_ = builder.names_sheets();
   for (int i = 0; i < size(); ++i)
     if (const std::string* id = (*this)[i].find("id")) ids_.emplace(*id, i);
 }

@@ -13,8 +13,9 @@ inline constexpr int no_element = -1;
 
 struct Element {
   std::string name;  ///< local name; empty where the element is not in SVG's namespace
-  std::vector<std::pair<std::string, std::string>> attributes;  ///< without a namespace, and "xlink:href"
-  std::string text;                                             ///< of `style` only
+  std::vector<std::pair<std::string, std::string>>
+      attributes;    ///< without a namespace, and "xlink:href", "inkscape:label"
+  std::string text;  ///< of `style` and `title` only
   std::vector<int> children;
   int parent = no_element;
   long line = 0, column = 0;  ///< of its start tag, from 1
@@ -35,12 +36,15 @@ class ElementTree {
 
   const Element& operator[](int i) const { return elements_[static_cast<std::size_t>(i)]; }
   int size() const { return static_cast<int>(elements_.size()); }
+  /// Does the document name style sheets of other files?
+  bool names_sheets() const { return names_sheets_; }
   /// The first element of that id, or no_element.
   int find(const std::string& id) const;
 
  private:
   std::vector<Element> elements_;
   std::unordered_map<std::string, int> ids_;
+  bool names_sheets_ = false;
 };
 
 /// "line 3, column 7".

@@ -21,6 +21,27 @@ void Outline::transform(const Affine& map) {
   }
 }
 
+Box box_of(const Outline& outline, const Affine& map) {
+  Box box;
+  std::size_t next = 0;
+  for (const Step step : outline.steps) {
+    const Point* p = outline.points.data() + next;
+    const auto count = static_cast<std::size_t>(point_count(step));
+    next += count;
+    if (step == Step::arc) {
+      constexpr int parts = 8;
+      for (int i = 0; i < parts; ++i) {
+        const double t = p[3].x + p[3].y * i / parts;
+        box.extend(map(p[0] + p[1] * std::cos(t) + p[2] * std::sin(t)));
+      }
+      box.extend(map(p[4]));
+    } else {
+      for (std::size_t i = 0; i < count; ++i) box.extend(map(p[i]));
+    }
+  }
+  return box;
+}
+
 void add_arc(Outline& out, const Point& from, double rx, double ry, double turned, bool large, bool sweep,
              const Point& to) {
   constexpr double pi = std::numbers::pi;

@@ -6,6 +6,8 @@
 #include <numbers>
 #include <vector>
 
+#include "formats/svg_import/paint.h"
+
 namespace pliant::svg {
 namespace {
 
@@ -125,22 +127,64 @@ Length parse_length(std::string_view text) {
     if (!in.at_end()) in.fail("the end of the length");
     return {value, Unit::percent};
   }
-  static constexpr std::array<std::pair<std::string_view, double>, 9> units{{{"", 1},
-                                                                             {"px", 1},
-                                                                             {"pt", 96.0 / 72},
-                                                                             {"pc", 16},
-                                                                             {"mm", 96 / 25.4},
-                                                                             {"cm", 96 / 2.54},
-                                                                             {"in", 96},
-                                                                             {"Q", 96 / 101.6},
-                                                                             {"PX", 1}}};
+  struct Known {
+    std::string_view name;
+    double factor;
+    Unit unit = Unit::user;
+  };
+  constexpr double half = 0.5;  // what CSS assumes where no font is measured
+  static constexpr std::array<Known, 18> units{{{"", 1},
+                                                {"px", 1},
+                                                {"pt", 96.0 / 72},
+                                                {"pc", 16},
+                                                {"mm", 96 / 25.4},
+                                                {"cm", 96 / 2.54},
+                                                {"in", 96},
+                                                {"q", 96 / 101.6},
+                                                {"em", 1, Unit::em},
+                                                {"ex", half, Unit::em},
+                                                {"ch", half, Unit::em},
+                                                {"ic", 1, Unit::em},
+                                                {"rem", 1, Unit::rem},
+                                                {"rex", half, Unit::rem},
+                                                {"vw", 1, Unit::vw},
+                                                {"vh", 1, Unit::vh},
+                                                {"vmin", 1, Unit::vmin},
+                                                {"vmax", 1, Unit::vmax}}};
   const Scanner at_unit = in;
   const std::string_view unit = in.word();
   in.skip_space();
   if (in.at_end())
-    for (const auto& [name, factor] : units)
-      if (name == unit) return {value * factor, Unit::user};
-  at_unit.fail("one of the units px, pt, pc, mm, cm, in, Q, % or none");
+    for (const Known& known : units)
+      if (is_same_word(known.name, unit)) return {value * known.factor, known.unit};
+  at_unit.fail("one of the units px, pt, pc, mm, cm, in, Q, em, ex, ch, rem, vw, vh, vmin, vmax, % or none");
+}
+
+Affine parse_style_transform(std::string_view text) {
+  std::string plain;  // as an attribute would say it: numbers without units
+  Scanner in(text);
+  while (!in.at_end()) {
+    if (in.at_number()) {
+      double value = in.number("a number");
+      Scanner before = in;
+      const std::string_view unit = in.word();
+      if (is_same_word(unit, "rad"))
+        value *= 180 / std::numbers::pi;
+      else if (is_same_word(unit, "grad"))
+        value *= 0.9;
+      else if (is_same_word(unit, "turn"))
+        value *= 360;
+      else if (!unit.empty() && !is_same_word(unit, "px") && !is_same_word(unit, "deg"))
+        before.fail("one of the units px, deg, rad, grad or turn");
+      char digits[32];
+      const auto written = std::to_chars(digits, digits + sizeof digits, value);
+      plain.append(digits, written.ptr);
+    } else {
+      plain += in.peek();
+      in.take(in.peek());
+    }
+  }
+  return parse_transform(plain);
 }
 
 Affine parse_transform(std::string_view text) {

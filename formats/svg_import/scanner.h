@@ -46,15 +46,18 @@ class Scanner {
   std::size_t next_ = 0;
 };
 
-enum class Unit { user, percent };
+/// Of a length: user units, percent, sizes of the font (of the element, of the root), percent of the window.
+enum class Unit { user, percent, em, rem, vw, vh, vmin, vmax };
 struct Length {
-  double value = 0;  ///< user units (96 to the inch), or percent
+  double value = 0;  ///< user units (96 to the inch), or as many of the unit
   Unit unit = Unit::user;
 };
 
-/// "12", "3.5mm", "50%". Throws SyntaxError.
+/// "12", "3.5mm", "50%", "2em". Throws SyntaxError.
 Length parse_length(std::string_view text);
 /// The matrix of a transform attribute: the product of its list. Throws SyntaxError.
 Affine parse_transform(std::string_view text);
+/// The same of a style, where lengths are in px and angles have units. Throws SyntaxError.
+Affine parse_style_transform(std::string_view text);
 
 }  // namespace pliant::svg

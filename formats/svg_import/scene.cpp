@@ -1,11 +1,11 @@
 #include "formats/svg_import/scene.h"  // formats/svg_import/scene.cpp
 
-#include <cstdlib>
 #include <unordered_map>
 #include <unordered_set>
 
-#include "formats/svg_import/notices.h"
-#include "formats/svg_import/style.h"
+#include "formats/svg_import/context.h"
+#include "formats/svg_import/paint.h"
+#include "formats/svg_import/shape_name.h"
 #include "formats/svg_import/viewport.h"
 #include "pliant/boundary/fault.h"
 
@@ -20,131 +20,144 @@ const std::unordered_set<std::string_view> silent{
     "marker",        "pattern", "filter",    "linearGradient", "radialGradient", "solidColor",  "view",     "cursor",
     "color-profile", "font",    "font-face", "script",         "hatch",          "meshgradient"};
 
-/// What is inherited, and where we are.
-struct State {
-  Affine map;
-  Viewport viewport;
-  std::string_view fill = "black", fill_rule = "nonzero", fill_opacity = "1", stroke = "none", visibility = "visible";
-  bool transparent = false;
-  const std::string* shown_as = nullptr;  ///< id of the innermost `use`
-  int depth = 0;
-};
-
-double opacity_of(std::string_view text) {
-  const std::string number(text);
-  char* end = nullptr;
-  const double value = std::strtod(number.c_str(), &end);
-  return end == number.c_str() ? 1 : value;
-}
-
-void inherit(std::string_view& value, std::string_view declared) {
-  if (!declared.empty() && declared != "inherit") value = declared;
-}
-
 class Walker {
  public:
   explicit Walker(const ElementTree& tree)
-      : tree_(tree), sheets_(tree), in_use_(static_cast<std::size_t>(tree.size())) {}
+      : tree_(tree), sheets_(tree), names_(tree), in_use_(static_cast<std::size_t>(tree.size())) {}
 
   Scene walk() {
-    State state;
-    state.viewport = root_viewport(tree_[0]);
-    state.map = {1, 0, 0, -1, 0, 0};  // y upwards
-    visit(0, state);
+    Context context;
+    context.viewport = root_viewport(tree_[0], Viewport::medium);
+    context.map = {1, 0, 0, -1, 0, 0};  // y upwards
+    visit(0, context);
+    if (tree_.names_sheets()) notices_.add("style sheets of other files are not read", 1);
     for (const auto& [what, times] : sheets_.unread()) notices_.add(what + " are not read", times);
     scene_.warnings = notices_.sentences();
     return std::move(scene_);
   }
 
  private:
-  static std::string_view own(const Declarations& declared, Property property) {
-    return declared[static_cast<std::size_t>(property)];
-  }
-
-  void visit(int index, State state) {
+  void visit(int index, Context context) {
     const Element& element = tree_[index];
     if (element.name.empty()) return;
     if (++visits_ > max_visits)
       refuse(element, "the drawing shows more than " + std::to_string(max_visits) + " elements, copies by use counted");
-    if (++state.depth > max_nesting)
+    if (++context.depth > max_nesting)
       refuse(element, "elements are nested deeper than " + std::to_string(max_nesting) + ", copies by use counted");
     if (silent.count(element.name) != 0) return note_silent(element);
     const Declarations declared = sheets_.declarations_of(element);
     if (own(declared, Property::display) == "none") return count_hidden(index);
-    inherit(state.fill, own(declared, Property::fill));
-    inherit(state.fill_rule, own(declared, Property::fill_rule));
-    inherit(state.fill_opacity, own(declared, Property::fill_opacity));
-    inherit(state.stroke, own(declared, Property::stroke));
-    inherit(state.visibility, own(declared, Property::visibility));
-    if (const auto opacity = own(declared, Property::opacity); !opacity.empty() && opacity_of(opacity) <= 0)
-      state.transparent = true;
-    transform(element, state);
-    if (is_shape(element.name)) return add_shape(element, declared, state);
-    if (element.name == "svg") return visit_svg(element, declared, state, nullptr, index == 0);
-    if (element.name == "use") return visit_use(index, declared, state);
-    if (element.name == "switch") return visit_switch(element, declared, state);
+    if (!meets_conditions(element)) {
+      notices_.add("what is for other languages than English, or for extensions of SVG, is left out", element);
+      return count_hidden(index);
+    }
+    inherit(context, element, declared, notices_);
+    // Units of the root's own font are known only now.
+    if (index == 0 && context.depth == 1) context.viewport = root_viewport(element, context.viewport.font_size);
+    context.map = context.map * transform_of(element, declared, context.viewport, notices_);
+    if (is_shape(element.name)) {
+      for (const int child : element.children) note_animation(tree_[child]);
+      if (!has_geometry(declared)) return add_shape(element, declared, context);
+      return add_shape(with_geometry_of_style(element, declared, notices_), declared, context);
+    }
+    if (element.name == "svg") return visit_svg(element, declared, context, nullptr, index == 0);
+    if (element.name == "use") return visit_use(index, declared, context);
+    if (element.name == "switch") return visit_switch(element, declared, context);
     if (element.name == "g" || element.name == "a") {
       note_effects(element, declared);
-      return visit_children(element, state);
+      return visit_children(element, context);
     }
     if (element.name == "text" || element.name == "image" || element.name == "foreignObject")
       return notices_.add(element.name + " is not read", element);
-    if (element.name.rfind("animate", 0) == 0 || element.name == "set")
-      return notices_.add("animation is not run", element);
+    if (note_animation(element)) return;
     notices_.add("elements " + element.name + " are not read", element);
   }
 
-  void visit_children(const Element& element, const State& state) {
-    for (const int child : element.children) visit(child, state);
+  bool note_animation(const Element& element) {
+    const bool is_animation = element.name.rfind("animate", 0) == 0 || element.name == "set";
+    if (is_animation) notices_.add("animation is not run", element);
+    return is_animation;
   }
 
-  void visit_switch(const Element& element, const Declarations& declared, const State& state) {
+  void visit_children(const Element& element, const Context& context) {
+    for (const int child : element.children) visit(child, context);
+  }
+
+  void visit_switch(const Element& element, const Declarations& declared, const Context& context) {
     note_effects(element, declared);
     for (const int child : element.children) {
       const Element& candidate = tree_[child];
-      const std::string* language = candidate.find("systemLanguage");
-      if (candidate.name.empty() || candidate.name == "foreignObject") continue;
-      if (candidate.find("requiredExtensions") != nullptr) continue;
-      if (language != nullptr && language->rfind("en", 0) != 0) continue;
-      return visit(child, state);
+      if (candidate.name.empty() || candidate.name == "foreignObject" || !meets_conditions(candidate)) continue;
+      return visit(child, context);
+    }
+  }
+
+  /// The root, whose user units are those of the result.
+  void visit_root(const Element& root, const Declarations& declared, const Context& context) {
+    const std::size_t first = scene_.shapes.size();
+    visit_children(root, context);
+    const ViewBox page = view_box_of(root).value_or(ViewBox{0, 0, context.viewport.width, context.viewport.height});
+    if (page.width == 0 || page.height == 0)
+      return notices_.add("a page without width or height would show nothing, but is read", root);
+    note_cut(root, declared, first, context.map * Affine{1, 0, 0, 1, page.x, page.y}, page.width, page.height,
+             "what juts out of the page is not cut off");
+  }
+
+  /// Names what is beyond the viewport (0, 0, width, height) of the shapes from `first` on, and would not be seen.
+  void note_cut(const Element& element, const Declarations& declared, std::size_t first, const Affine& map,
+                double width, double height, const char* what) {
+    const std::string_view overflow = own(declared, Property::overflow);
+    if (overflow == "visible" || overflow == "auto" || map.determinant() == 0) return;
+    if (!std::isfinite(width) || !std::isfinite(height)) return;
+    const Affine back = map.inverse();
+    const double margin = 1e-6 * std::hypot(width, height);
+    const auto is_out = [&](double x, double y) {
+      return x < -margin || y < -margin || x > width + margin || y > height + margin;
+    };
+    for (std::size_t s = first; s < scene_.shapes.size(); ++s) {
+      const Box box = box_of(scene_.shapes[s].outline, back);
+      if (is_out(box.low.x, box.low.y) || is_out(box.high.x, box.high.y)) return notices_.add(what, element);
     }
   }
 
   /// `size` holds the width and height of the `use` that shows it, if any.
-  void visit_svg(const Element& element, const Declarations& declared, State state, const Element* size, bool is_root) {
+  void visit_svg(const Element& element, const Declarations& declared, Context context, const Element* size,
+                 bool is_root) {
     note_effects(element, declared);
-    if (is_root && size == nullptr) return visit_children(element, state);  // its user units are those of the result
+    if (is_root && size == nullptr) return visit_root(element, declared, context);
     const auto length = [&](const char* attribute, Along along, double whole) {
       const Element& from = size != nullptr && size->find(attribute) != nullptr ? *size : element;
       const std::string* value = from.find(attribute);
       if (value == nullptr || *value == "auto") return whole;
-      return length_of(from, attribute, along, state.viewport);
+      return length_of(from, attribute, along, context.viewport);
     };
     if (element.name == "svg") {
-      const double x = length_of(element, "x", Along::x, state.viewport);
-      const double y = length_of(element, "y", Along::y, state.viewport);
-      state.map = state.map * Affine{1, 0, 0, 1, x, y};
+      const double x = length_of(element, "x", Along::x, context.viewport);
+      const double y = length_of(element, "y", Along::y, context.viewport);
+      context.map = context.map * Affine{1, 0, 0, 1, x, y};
     }
-    const double width = length("width", Along::x, state.viewport.width);
-    const double height = length("height", Along::y, state.viewport.height);
+    const double width = length("width", Along::x, context.viewport.width);
+    const double height = length("height", Along::y, context.viewport.height);
     if (width <= 0 || height <= 0) return;
-    const std::string* overflow = element.find("overflow");
-    if (overflow == nullptr || *overflow != "visible")
-      notices_.add("a nested viewport does not cut off what it holds", element);
+    const std::size_t first = scene_.shapes.size();
+    const Affine place = context.map;
     if (const auto box = view_box_of(element)) {
       if (box->width == 0 || box->height == 0) return;
       if (!std::isfinite(width) || !std::isfinite(height))
         refuse(element, "its width and height are parts of the drawing's, which has neither a viewBox nor a size");
-      state.map = state.map * fit_view_box(element, *box, width, height);
-      state.viewport = {box->width, box->height};
+      context.map = context.map * fit_view_box(element, *box, width, height);
+      context.viewport.width = box->width;
+      context.viewport.height = box->height;
     } else {
-      state.viewport = {width, height};
+      context.viewport.width = width;
+      context.viewport.height = height;
     }
-    visit_children(element, state);
+    visit_children(element, context);
+    note_cut(element, declared, first, place, width, height, "what juts out of a nested viewport is not cut off");
   }
 
-  void visit_use(int index, const Declarations& declared, State state) {
-    const Element& element = tree_[index];
+  void visit_use(int index, const Declarations& declared, Context context) {
+    const Element element = with_geometry_of_style(tree_[index], declared, notices_);
     note_effects(element, declared);
     const std::string* href = element.find("href");
     if (href == nullptr) href = element.find("xlink:href");
@@ -153,46 +166,37 @@ class Walker {
     const int target = tree_.find(href->substr(1));
     if (target == no_element) return notices_.add("use refers to an element that does not exist", element);
     if (in_use_[static_cast<std::size_t>(target)]) refuse(element, "it shows '" + *href + "', which contains it");
-    const double x = length_of(element, "x", Along::x, state.viewport);
-    const double y = length_of(element, "y", Along::y, state.viewport);
-    if (x != 0 || y != 0) state.map = state.map * Affine{1, 0, 0, 1, x, y};
-    if (const std::string* id = element.find("id")) state.shown_as = id;
+    const double x = length_of(element, "x", Along::x, context.viewport);
+    const double y = length_of(element, "y", Along::y, context.viewport);
+    if (x != 0 || y != 0) context.map = context.map * Affine{1, 0, 0, 1, x, y};
+    context.shown_by = &tree_[index];
+    // What the copy's context-fill refers to; the use's own may refer to the use around it.
+    if (classify_paint(context.fill) != Paint::of_fill && classify_paint(context.fill) != Paint::of_stroke)
+      context.context_fill = context.fill;
+    if (classify_paint(context.stroke) != Paint::of_fill && classify_paint(context.stroke) != Paint::of_stroke)
+      context.context_stroke = context.stroke;
     in_use_[static_cast<std::size_t>(target)] = true;
     const Element& shown = tree_[target];
     if (shown.name == "symbol" || shown.name == "svg")
-      show_viewport(shown, element, state);
+      show_viewport(shown, element, context);
     else
-      visit(target, state);
+      visit(target, context);
     in_use_[static_cast<std::size_t>(target)] = false;
   }
 
   /// A symbol, or an svg element, as `use` shows it: with that one's width and height.
-  void show_viewport(const Element& shown, const Element& use, State state) {
+  void show_viewport(const Element& shown, const Element& use, Context context) {
     const Declarations declared = sheets_.declarations_of(shown);
-    if (++visits_ > max_visits || ++state.depth > max_nesting)
+    if (++visits_ > max_visits || ++context.depth > max_nesting)
       refuse(use, "use shows too many elements, or too deeply nested ones");
     if (own(declared, Property::display) == "none") return;
-    inherit(state.fill, own(declared, Property::fill));
-    inherit(state.fill_rule, own(declared, Property::fill_rule));
-    inherit(state.fill_opacity, own(declared, Property::fill_opacity));
-    inherit(state.stroke, own(declared, Property::stroke));
-    inherit(state.visibility, own(declared, Property::visibility));
-    transform(shown, state);
-    if (shown.name == "symbol" && !view_box_of(shown)) {
-      note_effects(shown, declared);
-      return visit_children(shown, state);
-    }
-    visit_svg(shown, declared, state, &use, false);
-  }
-
-  void transform(const Element& element, State& state) {
-    const std::string* value = element.find("transform");
-    if (value == nullptr) return;
-    try {
-      state.map = state.map * parse_transform(*value);
-    } catch (const SyntaxError& e) {
-      refuse(element, "transform", e);
-    }
+    inherit(context, shown, declared, notices_);
+    context.map = context.map * transform_of(shown, declared, context.viewport, notices_);
+    if (shown.name == "symbol")
+      for (const char* attribute : {"refX", "refY", "x", "y"})
+        if (shown.find(attribute) != nullptr)
+          notices_.add(std::string(attribute) + " of a symbol moves nothing", shown);
+    visit_svg(shown, declared, context, &use, false);
   }
 
   void note_silent(const Element& element) {
@@ -215,57 +219,81 @@ class Walker {
     if (is_set(Property::clip_path)) notices_.add("clip paths do not cut anything off", element);
     if (is_set(Property::mask)) notices_.add("masks do not hide anything", element);
     if (is_set(Property::filter)) notices_.add("filters change nothing", element);
-    if (is_set(Property::transform)) notices_.add("transforms in styles are not read", element);
   }
 
-  /// Does the paint fill? Gradients and patterns do; a reference to nothing does not unless a colour stands behind it.
-  bool paints(std::string_view paint, const Element& element) {
-    if (paint == "none" || paint == "transparent") return false;
-    if (paint.substr(0, 4) != "url(") return true;
+  /// Does the paint show? A reference to nothing does not unless a colour stands behind it.
+  bool paints(std::string_view paint, const Element& element, const Context& context) {
+    switch (classify_paint(paint)) {
+      case Paint::colour:
+        return true;
+      case Paint::invisible:
+      case Paint::not_understood:
+        return false;
+      case Paint::current:
+        return classify_paint(context.color) == Paint::colour;
+      case Paint::of_fill:
+        return paints(context.context_fill, element, context);
+      case Paint::of_stroke:
+        return paints(context.context_stroke, element, context);
+      case Paint::reference:
+        return reference_paints(paint, element, context);
+    }
+    return true;
+  }
+
+  /// Gradients and patterns paint.
+  bool reference_paints(std::string_view paint, const Element& element, const Context& context) {
     const std::size_t end = std::min(paint.find(')'), paint.size());
     std::string id(paint.substr(4, end - 4));
     std::erase_if(id, [](char c) { return c == '"' || c == '\'' || c == ' '; });
     const int target = id.empty() || id.front() != '#' ? no_element : tree_.find(id.substr(1));
-    if (target == no_element) {
+    const std::string kind = target == no_element ? "" : tree_[target].name;
+    if (kind == "pattern" || kind == "hatch") {
+      notices_.add("a pattern is taken for a colour", element);
+    } else if (kind == "linearGradient" || kind == "radialGradient" || kind == "meshgradient" || kind == "solidColor") {
+      notices_.add("a gradient is taken for a colour", element);
+    } else {
+      notices_.add("fill refers to a paint that does not exist", element);
       std::string_view behind = paint.substr(std::min(end + 1, paint.size()));
       while (!behind.empty() && behind.front() == ' ') behind.remove_prefix(1);
-      notices_.add("fill refers to a paint that does not exist", element);
-      return !behind.empty() && behind != "none";
+      return classify_paint(behind) != Paint::reference && paints(behind, element, context);
     }
-    const std::string& kind = tree_[target].name;
-    if (kind == "pattern" || kind == "hatch")
-      notices_.add("a pattern is taken for a colour", element);
-    else
-      notices_.add("a gradient is taken for a colour", element);
     return true;
   }
 
-  void add_shape(const Element& element, const Declarations& declared, const State& state) {
+  /// What is drawn along the outline, where there is any.
+  void note_lines(const Element& element, const Context& context) {
+    const Paint stroke = classify_paint(context.stroke);
+    if (stroke != Paint::invisible && stroke != Paint::not_understood) notices_.add("strokes are not read", element);
+    const bool can_have_markers =
+        element.name == "path" || element.name.rfind("poly", 0) == 0 || element.name == "line";
+    if (can_have_markers && context.has_markers()) notices_.add("markers are not drawn", element);
+  }
+
+  void add_shape(const Element& element, const Declarations& declared, const Context& context) {
     const long number = ++numbers_[element.name];
-    if (state.visibility == "hidden" || state.visibility == "collapse") {
+    if (context.visibility == "hidden" || context.visibility == "collapse") {
       ++scene_.hidden;
       return;
     }
-    if (state.stroke != "none" && state.stroke != "transparent") notices_.add("strokes are not read", element);
-    if (element.name == "line" || state.transparent || opacity_of(state.fill_opacity) <= 0 ||
-        !paints(state.fill, element)) {
+    if (!context.transparent) note_lines(element, context);
+    if (element.name == "line" || context.transparent || fraction_of(context.fill_opacity, 1) <= 0 ||
+        !paints(context.fill, element, context)) {
       ++scene_.unfilled;
       return;
     }
     Shape shape;
-    shape.outline = outline_of(element, state.viewport);
+    shape.outline = outline_of(element, context.viewport);
     if (shape.outline.empty()) return;
     note_effects(element, declared);
     steps_ += shape.outline.steps.size();
     if (steps_ > max_steps)
       refuse(element, "the outlines have more than " + std::to_string(max_steps) + " segments, copies by use counted");
-    shape.outline.transform(state.map);
+    shape.outline.transform(context.map);
     check_coordinates(element, shape.outline);
-    const std::string* id = element.find("id");
-    if (id == nullptr || id->empty()) id = state.shown_as;
-    shape.name = unique(id == nullptr || id->empty() ? element.name + " " + std::to_string(number) : *id);
+    shape.name = names_.name(element, context.shown_by, number);
     shape.line = element.line;
-    shape.even_odd = state.fill_rule == "evenodd";
+    shape.even_odd = context.fill_rule == "evenodd";
     scene_.shapes.push_back(std::move(shape));
   }
 
@@ -275,21 +303,13 @@ class Walker {
         refuse(element, "a coordinate is beyond 1e60");
   }
 
-  std::string unique(const std::string& name) {
-    long& used = names_[name];
-    if (used++ == 0) return name;
-    for (;; ++used) {
-      std::string other = name + " (" + std::to_string(used) + ")";
-      if (names_.emplace(other, 1).second) return other;
-    }
-  }
-
   const ElementTree& tree_;
   StyleSheets sheets_;
+  ShapeNames names_;
   Scene scene_;
   Notices notices_;
   std::vector<bool> in_use_;
-  std::unordered_map<std::string, long> numbers_, names_;
+  std::unordered_map<std::string, long> numbers_;
   std::size_t steps_ = 0;
   long visits_ = 0;
 };

@@ -81,6 +81,32 @@ void refuse(const Element& element, const char* attribute, const SyntaxError& er
   refuse(element, std::string(attribute) + ", offset " + std::to_string(error.offset()) + ": " + error.what());
 }
 
+double resolve(const Length& length, Along along, const Viewport& viewport) {
+  switch (length.unit) {
+    case Unit::user:
+      return length.value;
+    case Unit::percent: {
+      const double whole = along == Along::x   ? viewport.width
+                           : along == Along::y ? viewport.height
+                                               : std::hypot(viewport.width, viewport.height) / std::numbers::sqrt2;
+      return whole * length.value / 100;
+    }
+    case Unit::em:
+      return length.value * viewport.font_size;
+    case Unit::rem:
+      return length.value * viewport.root_font_size;
+    case Unit::vw:
+      return length.value * viewport.window_width / 100;
+    case Unit::vh:
+      return length.value * viewport.window_height / 100;
+    case Unit::vmin:
+      return length.value * std::min(viewport.window_width, viewport.window_height) / 100;
+    case Unit::vmax:
+      return length.value * std::max(viewport.window_width, viewport.window_height) / 100;
+  }
+  return Viewport::unknown;
+}
+
 double length_of(const Element& element, const char* attribute, Along along, const Viewport& viewport,
                  double otherwise) {
   const std::string* value = element.find(attribute);
@@ -91,14 +117,12 @@ double length_of(const Element& element, const char* attribute, Along along, con
   } catch (const SyntaxError& e) {
     refuse(element, attribute, e);
   }
-  if (length.unit == Unit::user) return length.value;
-  const double whole = along == Along::x   ? viewport.width
-                       : along == Along::y ? viewport.height
-                                           : std::hypot(viewport.width, viewport.height) / std::numbers::sqrt2;
-  if (!std::isfinite(whole))
-    refuse(element, std::string(attribute) + " is '" + *value +
-                        "', but the drawing has neither a viewBox nor a width and height that a part could be of");
-  return whole * length.value / 100;
+  const double resolved = resolve(length, along, viewport);
+  if (!std::isfinite(resolved))
+    refuse(element, std::string(attribute) + " is '" + *value + "', but the drawing has " +
+                        (length.unit == Unit::percent ? "neither a viewBox nor" : "not") +
+                        " a width and height that a part could be of");
+  return resolved;
 }
 
 bool is_shape(std::string_view name) {

@@ -1,15 +1,25 @@
 #pragma once  // formats/svg_import/shapes.h: the outlines of path, rect, circle, ellipse, polyline and polygon
+#include <limits>
+
 #include "formats/svg_import/element_tree.h"
 #include "formats/svg_import/outline.h"
 #include "formats/svg_import/scanner.h"
 
 namespace pliant::svg {
 
-/// What percentages refer to, in user units.
+/// What percentages, and units of the font and of the window, refer to, in user units.
 struct Viewport {
-  double width, height;  ///< NaN: unknown, then percentages are refused
+  static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();  ///< what refers to it is refused
+  static constexpr double medium = 16;                                         ///< size of a font that none is said of
+
+  double width = unknown, height = unknown;
+  double font_size = medium, root_font_size = medium;
+  double window_width = unknown, window_height = unknown;
 };
 enum class Along { x, y, both };
+
+/// A length in user units; NaN where it refers to what is unknown.
+double resolve(const Length& length, Along along, const Viewport& viewport);
 
 /// The length of an attribute in user units; `otherwise` where it is missing.
 /// Throws      InputError with the element's line and column

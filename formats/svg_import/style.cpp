@@ -10,9 +10,41 @@ namespace {
 
 constexpr std::size_t most_rules = 2000;  // every element is held to every one
 
-constexpr std::array<std::string_view, property_count> names{"fill",    "fill-rule",  "fill-opacity", "opacity",
-                                                             "display", "visibility", "stroke",       "clip-path",
-                                                             "mask",    "filter",     "transform"};
+constexpr std::array<std::string_view, property_count> names{"fill",
+                                                             "fill-rule",
+                                                             "fill-opacity",
+                                                             "opacity",
+                                                             "display",
+                                                             "visibility",
+                                                             "stroke",
+                                                             "clip-path",
+                                                             "mask",
+                                                             "filter",
+                                                             "transform-origin",
+                                                             "transform-box",
+                                                             "color",
+                                                             "font-size",
+                                                             "overflow",
+                                                             "marker-start",
+                                                             "marker-mid",
+                                                             "marker-end",
+                                                             "transform",
+                                                             "marker",
+                                                             "font",
+                                                             "translate",
+                                                             "rotate",
+                                                             "scale",
+                                                             "offset-path",
+                                                             "x",
+                                                             "y",
+                                                             "width",
+                                                             "height",
+                                                             "cx",
+                                                             "cy",
+                                                             "r",
+                                                             "rx",
+                                                             "ry",
+                                                             "d"};
 
 std::optional<Property> property_named(std::string_view name) {
   for (std::size_t i = 0; i < names.size(); ++i)
@@ -87,12 +119,19 @@ std::size_t find_outside(std::string_view text, std::size_t from, std::string_vi
 
 }  // namespace
 
+std::string_view name_of(Property property) { return names[static_cast<std::size_t>(property)]; }
+
 StyleSheets::StyleSheets(const ElementTree& tree) {
   for (int i = 0; i < tree.size(); ++i) {
     if (tree[i].name != "style") continue;
     const std::string* type = tree[i].find("type");
     if (type != nullptr && !type->empty() && *type != "text/css") {
       ++unread_["style sheets of type '" + *type + "'"];
+      continue;
+    }
+    const std::string* media = tree[i].find("media");
+    if (media != nullptr && !media->empty() && *media != "all" && *media != "screen") {
+      ++unread_["style sheets for '" + *media + "'"];
       continue;
     }
     texts_.push_back(without_comments(tree[i].text));
@@ -221,8 +260,7 @@ Declarations StyleSheets::declarations_of(const Element& element) const {
     is_important[i] = d.important;
   };
   for (const auto& [name, value] : element.attributes)
-    // The attribute `transform` is read as such; only the property of that name is a matter of style.
-    if (const auto property = property_named(name); property && *property != Property::transform)
+    if (const auto property = property_named(name); property && *property < first_of_styles_only)
       take({*property, trimmed(value), false});
   if (!rules_.empty()) {
     const std::string* attribute = element.find("class");

@@ -21,9 +21,37 @@ enum class Property {
   clip_path,
   mask,
   filter,
-  transform
+  transform_origin,
+  transform_box,
+  color,
+  font_size,
+  overflow,
+  marker_start,
+  marker_mid,
+  marker_end,
+  // Those from here on are properties in styles only: as attributes they are read as such, or are none.
+  transform,
+  marker,
+  font,
+  translate,
+  rotate,
+  scale,
+  offset_path,
+  x,
+  y,
+  width,
+  height,
+  cx,
+  cy,
+  r,
+  rx,
+  ry,
+  d
 };
-inline constexpr std::size_t property_count = 11;
+inline constexpr Property first_of_styles_only = Property::transform, first_of_geometry = Property::x;
+inline constexpr std::size_t property_count = static_cast<std::size_t>(Property::d) + 1;
+/// As it is written.
+std::string_view name_of(Property property);
 
 /// One element's own declarations, empty where it has none; `fill` and so on as they are written.
 using Declarations = std::array<std::string_view, property_count>;

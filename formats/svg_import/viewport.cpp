@@ -1,12 +1,9 @@
 #include "formats/svg_import/viewport.h"  // formats/svg_import/viewport.cpp
 
 #include <algorithm>
-#include <limits>
 
 namespace pliant::svg {
 namespace {
-
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 /// The part of the free room before the box: "xMidYMax" along x is 1/2, along y 1.
 double share(const std::string& word, std::size_t at) {
@@ -56,19 +53,28 @@ Affine fit_view_box(const Element& element, const ViewBox& box, double width, do
   return {sx, 0, 0, sy, x - sx * box.x, y - sy * box.y};
 }
 
-Viewport root_viewport(const Element& root) {
-  if (const auto box = view_box_of(root)) return {box->width, box->height};
-  const auto absolute = [&](const char* attribute) {
+Viewport root_viewport(const Element& root, double font_size) {
+  Viewport viewport;
+  const auto size = [&](const char* attribute) {
     const std::string* value = root.find(attribute);
-    if (value == nullptr || *value == "auto") return unknown;
+    if (value == nullptr || *value == "auto") return Viewport::unknown;
     try {
       const Length length = parse_length(*value);
-      return length.unit == Unit::user ? length.value : unknown;
+      return length.unit == Unit::percent ? Viewport::unknown : resolve(length, Along::x, viewport);
     } catch (const SyntaxError& e) {
       refuse(root, attribute, e);
     }
   };
-  return {absolute("width"), absolute("height")};
+  viewport.font_size = viewport.root_font_size = font_size;
+  viewport.window_width = size("width");
+  viewport.window_height = size("height");
+  viewport.width = viewport.window_width;
+  viewport.height = viewport.window_height;
+  if (const auto box = view_box_of(root)) {
+    viewport.width = box->width;
+    viewport.height = box->height;
+  }
+  return viewport;
 }
 
 }  // namespace pliant::svg

@@ -48,7 +48,7 @@ TEST_CASE("a bad MSH file is refused with the line and what was expected there",
     INFO(to);
     CHECK_THAT(complaint(replaced(good, from, to)), Catch::StartsWith(expected));
   };
-  check("4.1", "4", "line 2: MSH version 4: versions 2.2 and 4.1 are read");
+  check("4.1", "4.2", "line 2: MSH version 4.2: versions 1, 2, 4.0 and 4.1 are read");
   check("4.1", "1", "line 2: MSH version 1: ");
   check("4.1 0 8", "4.1 0 4", "line 2: numbers of 4 bytes");
   check("4.1 0 8", "4.1 2 8", "line 2: the file type is 2");
@@ -81,7 +81,15 @@ TEST_CASE("a bad MSH file is refused with the line and what was expected there",
   CHECK_THAT(complaint(good + "rubbish"), Catch::StartsWith("line 19: expected a section, which starts with $"));
   CHECK_THAT(complaint(good + "$Views\n1\n"), Catch::StartsWith("line 19: the section $Views does not end"));
   CHECK_THAT(complaint(good + "$EndViews\n1\n"), Catch::StartsWith("line 19: expected a section"));
-  CHECK_THAT(complaint("$NOD\n3\n"), Catch::StartsWith("line 1: MSH version 1: versions 2.2 and 4.1 are read"));
+  CHECK_THAT(complaint("$NOD\n3\n"), Catch::StartsWith("line 2: the file ends too early: 3 nodes"));
+  CHECK_THAT(complaint("$NOD\n1\n1 0 0 0\n$ENDNOD\n$ELM\n1\n1 2 0 1 4 1 1 1 1\n$ENDELM\n"),
+             Catch::StartsWith("line 7: elements of type 2 have 3 nodes, not 4"));
+  CHECK_THAT(complaint(nodes), Catch::StartsWith("line 1: expected $MeshFormat before $Nodes"));
+  CHECK_THAT(complaint("$ELM\n1\n$ENDELM\n"), Catch::StartsWith("line 1: "));
+  CHECK_THAT(complaint("rubbish"), Catch::StartsWith("line 1: expected $MeshFormat (an MSH file), found 'rubbish'"));
+  CHECK_THAT(complaint(good + header), Catch::StartsWith("line 19: a second section $MeshFormat"));
+  const std::string names = "$PhysicalNames\n1\n2 1 \"a\"\n$EndPhysicalNames\n";
+  CHECK_THAT(complaint(header + names + names), Catch::StartsWith("line 8: a second section $PhysicalNames"));
   CHECK_THAT(complaint("$Mesh"), Catch::StartsWith("line 1: expected $MeshFormat"));
   CHECK_THAT(complaint(""), Catch::StartsWith("line 1: expected $MeshFormat"));
   CHECK_THAT(complaint(header + "$PhysicalNames\n1\n2 1 name\n"),

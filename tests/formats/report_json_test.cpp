@@ -141,3 +141,14 @@ TEST_CASE("the text fits 80 columns", "[formats]") {
   }
   CHECK(text.find("shape") != std::string::npos);
 }
+
+TEST_CASE("the text prints a time with the digits of a sum of round steps", "[formats]") {
+  QualityReport report;
+  for (const auto& [time, expected] :
+       {std::pair(1000000.5, " 1000000.5 "), std::pair(4.95, " 4.95 "), std::pair(1.0 / 3, " 0.33333 ")}) {
+    report.time = time;
+    std::string text;
+    write_report_text(report, "one.json: frame 0", text);
+    CHECK_THAT(text, Catch::Contains(expected));
+  }
+}

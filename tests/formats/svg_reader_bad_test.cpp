@@ -53,7 +53,7 @@ TEST_CASE("a fault of path data is refused with the element's place, the offset 
 TEST_CASE("faults of other attributes name the attribute", "[svg]") {
   CHECK_THAT(complaint(svg("<rect width='5' height='-5'/>")), Catch::Contains("height is negative: '-5'"));
   CHECK_THAT(complaint(svg("<rect width='5' height='5 px'/>")), Catch::Contains("expected one of the units"));
-  CHECK_THAT(complaint(svg("<rect width='5em' height='5'/>")), Catch::Contains("width, offset 1: expected one of the"));
+  CHECK_THAT(complaint(svg("<rect width='5lh' height='5'/>")), Catch::Contains("width, offset 1: expected one of the"));
   CHECK_THAT(complaint(svg("<rect width='5%' height='5'/>")), Catch::Contains("neither a viewBox nor"));
   CHECK_THAT(complaint(svg("<circle r='x'/>")), Catch::Contains("r, offset 0: expected a length, found 'x'"));
   CHECK_THAT(complaint(svg("<polygon points='1 2 3'/>")), Catch::Contains("points, offset 5: expected a second"));

@@ -40,6 +40,8 @@ for frame in 2 -3; do
   no_output
 done
 run 2 export-svg --box 0,0,0,1 a.json
+run 0 export-svg --color field:u a.json
+grep -q '>field u</text>' out || fail "the name of a field of one letter should be legible"
 
 run 0 export-gltf a.json -o a.glb
 run 0 export-gltf a.json -o a.gltf

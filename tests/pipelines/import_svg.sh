@@ -73,7 +73,7 @@ head -c 200 cells.svg >short.svg
 run 3 import-svg short.svg
 says 'import-svg: short.svg: line 3, column '
 run 3 import-svg disk.json
-says 'import-svg: disk.json: line 1, column 1: no well-formed XML'
+says 'import-svg: disk.json: this is a mesh, which '
 run 3 import-svg </dev/null
 says 'import-svg: standard input: the input is empty'
 run 3 bash -c 'echo "<svg><path d=\"M0 0h1\"/></svg>" | import-svg'

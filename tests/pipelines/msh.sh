@@ -35,7 +35,7 @@ $EndElements
 END
 
 run 0 import-msh square.msh
-says 'import-msh: square.msh: 1 point (type 15) is left out'
+silent
 cp out square.json
 for text in '"degree":2' '"name":"lower"' '"name":"upper one"' '"name":"curve 7"' '0.5,-0.25,'; do
   grep -qF -- "$text" square.json || fail "no $text in the mesh: $(head -c 400 square.json)"
@@ -49,6 +49,8 @@ run 0 bash -c 'cat square.msh | import-msh -q - -o piped.json'
 same piped.json square.json
 run 0 import-msh -v square.msh
 says 'triangles 0 to 1 are elements 13 to 14'
+says '1 point (type 15) is left out'
+(($(grep -c 'type 15' err) == 1)) || fail "it is said once: $(cat err)"
 run 0 import-msh -q --report report.json --field u=x+y --field p@lower=t --time 2.5 square.msh
 grep -qF '"time":2.5' out || fail "the time is set"
 grep -qF '"name":"u","components":1' out || fail "a field is made"
@@ -110,7 +112,7 @@ for tool in import-msh qualityreport; do
   run 5 "$tool" no-such-file.msh
 done
 run 3 import-msh disk.json
-says 'import-msh: disk.json: line 1: expected $MeshFormat (an MSH file)'
+says 'import-msh: disk.json: this is a mesh, which '
 run 3 import-msh </dev/null
 says 'import-msh: standard input:1: the input is empty'
 run 3 import-msh -o never.json short.msh

@@ -66,6 +66,7 @@ exec 9>slow
 head -n 1 series.jsonl >&9
 for i in {1..100}; do ls -A results | grep -q never && break; sleep 0.05; done
 ls -A results | grep -q never || fail "the temporary file should stand beside the target"
+ls -A results | grep -q '^never.json.unfinished-......$' || fail "its name should say what it is: $(ls -A results)"
 kill -TERM "$job"
 wait "$job" 2>/dev/null
 exec 9>&-

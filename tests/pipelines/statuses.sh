@@ -50,7 +50,7 @@ says 'passthrough: series.jsonl: frame 2: told to stop'
 head -n 2 series.jsonl >two.jsonl
 same out two.jsonl
 run 4 passthrough --stop-at 2 -q series.jsonl
-silent
+says 'passthrough: series.jsonl: frame 2: told to stop'
 run 4 passthrough --spoil-at 1 series.jsonl
 says 'frame 1'
 says 'not finite'

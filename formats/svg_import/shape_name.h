@@ -1,0 +1,24 @@
+#pragma once  // formats/svg_import/shape_name.h: the name of a shape, as the drawing's author would call it
+#include <string>
+#include <unordered_map>
+
+#include "formats/svg_import/element_tree.h"
+
+namespace pliant::svg {
+
+class ShapeNames {
+ public:
+  explicit ShapeNames(const ElementTree& tree) : tree_(tree) {}
+  /// No two alike: the element's own name, else that of the `use` that shows it (or null), else its kind and number.
+  std::string name(const Element& element, const Element* shown_by, long number);
+
+ private:
+  std::string own_name(const Element& element) const;
+  std::string title_of(const Element& element) const;
+  std::string unique(const std::string& name);
+
+  const ElementTree& tree_;
+  std::unordered_map<std::string, long> used_;
+};
+
+}  // namespace pliant::svg

@@ -1,0 +1,51 @@
+// tests/formats/recognize_test.cpp: files of other kinds, and typing errors.
+#include "formats/recognize.h"
+
+#include <catch2/catch.hpp>
+
+using namespace pliant;
+
+TEST_CASE("a file of another kind is named with the tool that reads it", "[formats]") {
+  const auto says = [](std::string_view bytes, FileKind wanted) { return describe_other_kind(bytes, wanted); };
+  using Catch::Contains;
+  CHECK_THAT(says("<?xml version='1.0'?>\n<!-- x -->\n<svg>", FileKind::mesh), Contains("import-svg"));
+  CHECK_THAT(says("<s:svg xmlns:s='...'>", FileKind::boundary), Contains("import-svg"));
+  CHECK_THAT(says("\xEF\xBB\xBF<svg>", FileKind::msh), Contains("import-svg"));
+  CHECK_THAT(says("$Comments\nx\n$EndComments\n$MeshFormat", FileKind::boundary), Contains("import-msh"));
+  CHECK_THAT(says("$NOD\n3\n", FileKind::mesh), Contains("import-msh"));
+  CHECK_THAT(says("{\"format\":\"pliant-mesh\"}", FileKind::svg), Contains("qualityreport"));
+  CHECK_THAT(says("{\"format\":\"pliant-boundary\"}", FileKind::msh), Contains("bspline2mesh"));
+  CHECK_THAT(says("{\"asset\":{\"version\":\"2.0\"}}", FileKind::svg), Contains("JSON") || Contains("glTF"));
+  CHECK_THAT(says("glTF\2", FileKind::mesh), Contains("glTF"));
+  CHECK_THAT(says("<VTKFile type='UnstructuredGrid'>", FileKind::mesh), Contains("VTK"));
+  CHECK_THAT(says("\x1F\x8B\x08", FileKind::mesh), Contains("gzip"));
+  CHECK_THAT(says("\x89PNG\r\n", FileKind::svg), Contains("pixels"));
+  CHECK_THAT(says("\xFF\xFE{", FileKind::mesh), Contains("UTF-16"));
+  CHECK_THAT(says("<!DOCTYPE html><html>", FileKind::svg), Contains("HTML"));
+}
+
+TEST_CASE("a faulty file of the right kind is left to its reader", "[formats]") {
+  CHECK(describe_other_kind("<svg", FileKind::svg).empty());
+  CHECK(describe_other_kind("$MeshFormat\n9 9 9", FileKind::msh).empty());
+  for (const FileKind kind : {FileKind::mesh, FileKind::boundary}) {
+    CHECK(describe_other_kind("{\"format\": 1", kind).empty());
+    CHECK(describe_other_kind("", kind).empty());
+    CHECK(describe_other_kind(" \n", kind).empty());
+    CHECK(describe_other_kind("not json", kind).empty());
+  }
+}
+
+TEST_CASE("typing errors are counted, and the nearest word found", "[formats]") {
+  CHECK(typing_errors("degree", "degree") == 0);
+  CHECK(typing_errors("degre", "degree") == 1);
+  CHECK(typing_errors("dergee", "degree") == 1);
+  CHECK(typing_errors("", "abc") == 3);
+  CHECK(typing_errors("kitten", "sitting") == 3);
+  CHECK(typing_errors("abcd", "dcba") == typing_errors("dcba", "abcd"));
+  const std::vector<std::string> options{"--max-area", "--min-angle", "--max-turning", "--until"};
+  CHECK(nearest_word("--max-aera", options) == "--max-area");
+  CHECK(nearest_word("--maxarea", options) == "--max-area");
+  CHECK(nearest_word("--untill", options) == "--until");
+  CHECK(nearest_word("--colour", options).empty());
+  CHECK(nearest_word("x", {}).empty());
+}

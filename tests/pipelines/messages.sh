@@ -1,0 +1,138 @@
+#!/usr/bin/env bash
+# What goes wrong is said, also with -q: the file, the place, what is wrong, and what would be right.
+. "${BASH_SOURCE%/*}/common.bash"
+
+# -q silences warnings and progress, no error and no failed condition.
+for tool in "${mesh_filters[@]}"; do
+  echo '{}' >bad.json
+  run 3 filter "$tool" -q bad.json
+  says "$tool: bad.json:1: frame 0: lacks the member \"format\""
+  run 5 filter "$tool" -q no-such-file.json
+  says 'no-such-file.json'
+  run 2 filter "$tool" -q --no-such-option
+  says 'there is no option --no-such-option'
+done
+if has_tool qualityreport; then
+  run 1 qualityreport -q --fail-if 'triangles > 0' --fail-if 'triangles > 1e6' disk.json
+  says 'qualityreport: disk.json: frame 0: triangles > 0: it is '
+  (($(wc -l <err) == 1)) || fail "only the condition that failed is said: $(cat err)"
+fi
+
+# An unknown option, and one argument too many.
+run 2 passthrough --max-aera 3 disk.json
+says 'there is no option --max-aera; the nearest one is --max-area'
+run 2 passthrough --maxturning=3 disk.json
+says 'there is no option --maxturning; the nearest one is --max-turning'
+run 2 passthrough --colour red disk.json
+says 'there is no option --colour'
+if grep -q nearest err; then fail "nothing is near to --colour: $(cat err)"; fi
+run 2 passthrough disk.json three.json
+says "one INPUT is read; 'three.json' is one argument too many"
+
+# Files of another kind.
+printf '<?xml version="1.0"?>\n<svg xmlns="http://www.w3.org/2000/svg"><rect width="1" height="1"/></svg>\n' >drawing.svg
+printf '$MeshFormat\n4.1 0 8\n$EndMeshFormat\n' >mesh.msh
+cat >square.json <<'JSON'
+{ "format": "pliant-boundary",
+  "version": 1,
+  "vertices": [0, 0],
+  "faces": [{"name": "square"}],
+  "curves": [
+    { "name": "around", "degree": 1, "closed": false, "knots": [0, 0, 1, 2, 3, 4, 4],
+      "points": [0, 0, 1, 0, 1, 1, 0, 1, 0, 0],
+      "start": 0, "end": 0,
+      "left": 0, "right": null }
+  ] }
+JSON
+for tool in "${mesh_filters[@]}"; do
+  run 3 filter "$tool" drawing.svg
+  says "$tool: drawing.svg: this is an SVG drawing, which import-svg reads"
+  run 3 filter "$tool" mesh.msh
+  says 'which import-msh reads'
+  run 3 filter "$tool" square.json
+  says 'this is a boundary, of which bspline2mesh makes a mesh (column 13)'
+  run 3 filter "$tool" <(gzip -c disk.json)
+  says 'gzip'
+done
+for tool in import-svg import-msh; do
+  if ! has_tool $tool; then continue; fi
+  run 3 $tool disk.json
+  says "$tool: disk.json: this is a mesh, which "
+  run 3 $tool square.json
+  says "$tool: square.json: this is a boundary, of which bspline2mesh makes a mesh"
+done
+if has_tool import-msh; then
+  run 3 import-msh drawing.svg
+  says 'import-msh: drawing.svg: this is an SVG drawing, which import-svg reads'
+fi
+if has_tool import-svg; then
+  run 3 import-svg mesh.msh
+  says 'import-svg: mesh.msh: this is a Gmsh MSH file, which import-msh reads'
+fi
+
+# What a check finds after reading has a line and a column too.
+if has_tool bspline2mesh; then
+  run 0 bspline2mesh -q square.json
+  run 3 bspline2mesh disk.json
+  says 'this is a mesh, which '
+  sed 's/"left": 0, "right": null/"left": null, "right": 0/' square.json >bad.json
+  run 3 bspline2mesh bad.json
+  grep -Eq '^bspline2mesh: bad.json:9: frame 0: /curves/0/(left|right): .*\(column (15|30)\)$' err ||
+    fail "the line and column of what is exchanged: $(cat err)"
+  sed 's/"end": 0/"end": 7/' square.json >bad.json
+  run 3 bspline2mesh bad.json
+  says 'bad.json:8: frame 0: /curves/0/end: is 7, but there are 1 vertices (column 26)'
+  sed 's/"degree"/"degre"/' square.json >bad.json
+  run 3 bspline2mesh bad.json
+  says 'bad.json:6: frame 0: /curves/0: lacks the member "degree"; is "degre" meant to be it? (column 5)'
+fi
+# Another line of a series, and a mesh over many lines.
+python3 - <<'PYTHON'
+import json
+mesh = json.load(open("disk.json"))
+mesh["points"][6] += 0.25
+open("bad.json", "w").write("\n\n" + json.dumps(mesh, indent=1))
+PYTHON
+run 3 passthrough bad.json
+line=$(grep -oE '^passthrough: bad.json:[0-9]+' err | head -n 1 | grep -oE '[0-9]+$')
+((${line:-0} > 3)) || fail "a structural fault names its own line: $(cat err)"
+says '(column '
+
+# A report must not overwrite what is read or written.
+run 2 passthrough disk.json --report new.json -o ./new.json
+says "--report and -o name the same file, 'new.json'"
+[ ! -e new.json ] || fail "nothing should be written"
+cp disk.json mine.json
+ln -s mine.json alias.json
+run 2 passthrough mine.json --report alias.json
+says '--report and INPUT name the same file'
+same mine.json disk.json
+
+# Of a pipe whose first tool fails the others say one line each, and a short one.
+bash -c 'passthrough no-such-file.json | passthrough | passthrough --min-angle 20' >out 2>err
+no_output
+(($(wc -l <err) == 3)) || fail "one line a tool: $(cat err)"
+(($(grep -c 'passthrough: standard input:1: the input is empty$' err) == 2)) || fail "short lines: $(cat err)"
+
+# Time: steps that do not advance it, and steps that come to a round one.
+if has_tool advect; then
+  sample_mesh disk 2 1e6 >late.json
+  run 4 advect --dt 1e-12 --until 1000001 --flow shear late.json
+  says 'advect: late.json: frame 0: the step does not advance the time 1000000'
+  no_output
+  run 4 advect --dt 1e-12 --vx 0 --vy 0 late.json
+  run 0 advect --dt 1e-9 --vx 0 --vy 0 late.json
+  grep -q '"time":1000000.000000001,' out || fail "time after 1e-9: $(grep -o '"time":[^,]*' out)"
+  run 0 advect --dt 1e-12 --until 1e6 --vx 0 --vy 0 late.json
+  for dt in 0.05 0.1 0.001; do
+    sample_mesh three 1 >moving.json
+    for i in {1..100}; do advect --dt $dt --vx 0 --vy 0 moving.json -o moving.json; done
+    time=$(grep -o '"time":[^,]*' moving.json)
+    [ "$time" = "\"time\":$(python3 -c "print(f'{100 * $dt:.6g}')")" ] || fail "100 steps of $dt end at $time"
+  done
+  # A time with more digits is left as it is.
+  sample_mesh disk 2 0.333333333333333 >third.json
+  run 0 advect --dt 0.1 --vx 0 --vy 0 third.json
+  grep -q "\"time\":$(python3 -c 'print(0.333333333333333 + 0.1)')," out || fail "$(grep -o '"time":[^,]*' out)"
+fi
+finish
