@@ -10,13 +10,21 @@ namespace {
 
 constexpr double first_step = 0.1, last_step = 2e-3;  // relative to the element
 constexpr int most_steps = 400;
+/// For all searches of a pass, by element that was too curved: a step costs some p^4, and above degree 3 elements that
+/// nothing mends would take minutes.
+int steps_per_element(int degree) { return degree <= 3 ? 4000 : 77000 / (degree * degree * degree * degree); }
 constexpr double diagonal = 0.70710678118654752;
 
 }  // namespace
 
+void SmoothingMoves::allow_searches(std::size_t elements) {
+  steps_left_ = static_cast<long>(elements) * steps_per_element(mesh_.degree());
+}
+
 /// Pattern search (Hooke and Jeeves) for places of the element's own free points, by the very excesses that are to
 /// fall: optimal placement looks at one measure, which need not be the one that is exceeded.
 bool SmoothingMoves::search_places(TriangleId t) {
+  if (steps_left_ <= 0) return false;
   around_.assign(1, t);
   movable_.clear();
   const auto add = [this](TriangleId u) {
@@ -95,6 +103,7 @@ bool SmoothingMoves::search_places(TriangleId t) {
           trial_.set_nets(best_nets_);
         }
     }
+  steps_left_ -= steps;
   if (!is_worth_it(best_, before_, before_.front() < tangled_excess ? least_long_gain : least_gain)) return false;
   if (trial_.apply(mesh_, options_.refit, best_.front() < tangled_excess) != Refusal::done) return false;
   touched_.insert(touched_.end(), around_.begin(), around_.end());

@@ -46,6 +46,7 @@ class Smoother {
     const std::vector<TriangleId> poor = suspects_;
     std::vector<Point> places;
     if (!poor.empty() && wanted_.keep_input != KeepInput::never) places = places_of_points();
+    moves_.allow_searches(too_curved);
     work(suspects_);
     left_ = still_curved();
     if (!places.empty()) keep_input(poor, places);

@@ -38,6 +38,8 @@ class SmoothingMoves {
   bool flip_edges(TriangleId t);
   bool move_vertices(TriangleId t);
   bool search_places(TriangleId t);
+  /// Bounds all searches together by what so many elements may cost; more than that search in vain.
+  void allow_searches(std::size_t elements);
   /// Of an element whose straight triangle is turned over, by what the options allow: fewer are, no element is worse.
   bool turn_back(TriangleId t);
   bool is_turned_over(TriangleId t) const;
@@ -87,6 +89,7 @@ class SmoothingMoves {
   std::vector<PlacementElement> straight_;
   std::vector<TriangleId> touched_, around_, on_trial_;
   std::vector<PointId> points_;
+  long steps_left_ = 0;                            // of searches
   std::vector<std::pair<PointId, bool>> movable_;  // by search_places: a point, and whether it drags others along
   Star star_;
   bool is_tangled_ = false;  // some element on trial, before
