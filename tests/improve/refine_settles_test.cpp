@@ -84,6 +84,20 @@ TEST_CASE("what asks for more triangles than allowed is refused beforehand or on
   CHECK_THROWS_AS(refine(refined, options), TooManyTriangles);
 }
 
+TEST_CASE("a mesh that has more triangles than allowed is passed on where nothing goes in", "[improve]") {
+  BoundaryComplex lens = samples::with_faces({"lens"});
+  lens.vertices = {{0, 0}, {1, 0}};
+  lens.curves.push_back(samples::open_curve(lens, "lower", 0, 1, {{0.5, -1e-4}}, 0));
+  lens.curves.push_back(samples::open_curve(lens, "upper", 1, 0, {{0.5, 1e-4}}, 0));
+  Mesh mesh = mesh_of(lens, 2);
+  REQUIRE(value_of(refine(mesh, {}), "left") > 0);
+  RefineOptions options;
+  options.max_triangles = 1;
+  const PassReport report = refine(mesh, options);
+  CHECK(value_of(report, "insertions") == 0);
+  CHECK(mesh.triangle_count() > 1);
+}
+
 TEST_CASE("the least count is one: no refined mesh has fewer triangles", "[improve][property]") {
   const int degree = GENERATE(1, 2, 3);
   for (const Sample& sample : boundaries(degree)) {

@@ -62,7 +62,8 @@ class Round {
       const Attack attack = attack_on(mesh_, t, options_.goals);
       if (attack.reason) treat(t, attack);
       if (options_.progress != nullptr) options_.progress->count(tally_.points());
-      if (mesh_.triangle_count() > options_.max_triangles) exceed(attack);
+      const bool has_inserted = !star_.outgoing.empty();  // a mesh may have had more before
+      if (has_inserted && mesh_.triangle_count() > options_.max_triangles) exceed(attack);
     }
   }
 
