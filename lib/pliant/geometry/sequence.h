@@ -71,6 +71,7 @@ class Sequence {
     return std::equal(a.begin(), a.end(), b.begin(), b.end());
   }
 
+  // NOLINTBEGIN(readability-identifier-naming): the standard library's names, which its algorithms ask for
   class const_iterator {
    public:
     using iterator_category = std::random_access_iterator_tag;
@@ -100,6 +101,7 @@ class Sequence {
     const Sequence* sequence_ = nullptr;
     difference_type i_ = 0;
   };
+  // NOLINTEND(readability-identifier-naming)
   const_iterator begin() const { return {this, 0}; }
   const_iterator end() const { return {this, static_cast<std::ptrdiff_t>(size_)}; }
 
