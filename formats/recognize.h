@@ -17,7 +17,7 @@ std::string describe_other_kind(std::string_view bytes, FileKind wanted);
 /// The same by the member `format` of a document; empty for one that is not Pliant's.
 std::string describe_other_format(std::string_view format);
 
-/// Of `candidates` the one that a typing error could have made `word` of; empty if none is close.
+/// The candidate that `word` may be a misspelling of; empty if none is close.
 ///
 /// An error is a character too many, too few, wrong, or exchanged with the next; about one in three may be wrong.
 std::string nearest_word(std::string_view word, const std::vector<std::string>& candidates);

@@ -46,7 +46,8 @@ class Scanner {
   std::size_t next_ = 0;
 };
 
-/// Of a length: user units, percent, sizes of the font (of the element, of the root), percent of the window.
+/// What a length is counted in: user units, percent, sizes of the font (of the element, of the root), percent of the
+/// window.
 enum class Unit { user, percent, em, rem, vw, vh, vmin, vmax };
 struct Length {
   double value = 0;  ///< user units (96 to the inch), or as many of the unit
