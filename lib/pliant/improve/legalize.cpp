@@ -48,10 +48,21 @@ Refusal flip_straight(Mesh& mesh, HalfEdgeId h, const RefitOptions& refit) {
   if (refusal != Refusal::done) return refusal;
   if (is_bent(mesh, h)) {
     straighten_around(mesh, h, refit);
-    if (!was_bad && is_bent(mesh, h, bad)) return Refusal::would_invert;
+    if (!was_bad && is_bent(mesh, h, bad)) return Refusal::would_bend;
   }
   transaction.commit();
   return Refusal::done;
+}
+
+/// The flip, if need be after the bent edges of both triangles are straightened; the mesh is unchanged if it is refused.
+Refusal straighten_and_flip(Mesh& mesh, HalfEdgeId h, const RefitOptions& refit) {
+  const Refusal first = flip_straight(mesh, h, refit);
+  if (first == Refusal::done) return first;
+  Transaction transaction(mesh);
+  if (!straighten_around(mesh, h, refit)) return first;
+  const Refusal refusal = flip_straight(mesh, h, refit);
+  if (refusal == Refusal::done) transaction.commit();
+  return refusal;
 }
 
 }  // namespace
@@ -108,9 +119,7 @@ void legalize(Mesh& mesh, std::vector<HalfEdgeId>& stack, const RefitOptions& re
       list(Refusal::done);
       continue;
     }
-    Refusal refusal = straightens ? flip_straight(mesh, h, refit) : flip_edge(mesh, h, refit);
-    if (straightens && refusal != Refusal::done && straighten_around(mesh, h, refit))
-      refusal = flip_straight(mesh, h, refit);
+    const Refusal refusal = straightens ? straighten_and_flip(mesh, h, refit) : flip_edge(mesh, h, refit);
     if (refusal != Refusal::done) {
       counts.refuse(refusal);
       list(refusal);

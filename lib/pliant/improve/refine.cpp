@@ -17,6 +17,7 @@
 #include "pliant/improve/refine_attack.h"
 #include "pliant/improve/sharp_corners.h"
 #include "pliant/improve/split_place.h"
+#include "pliant/improve/tame.h"
 #include "pliant/improve/triangle_budget.h"
 #include "pliant/mesh/locate.h"
 #include "pliant/mesh/star.h"
@@ -30,6 +31,7 @@ constexpr double default_floor = 1e-9;     // of the mesh's size: least distance
 constexpr double least_of_gap = 0.5;       // half an edge on a curve, of the distance of the vertex opposite
 constexpr double least_of_shortest = 0.8;  // the same, of a poor triangle's shortest edge, up to 30 degrees
 constexpr double least_of_longest = 0.2;
+constexpr double much_turning = 1.0;  // radians
 constexpr long triangles_per_new_vertex = 8;  // a mesh that has more keeps its numbers
 constexpr double off_center = 0.95;           // of the distance at which the triangle would be just good enough
 
@@ -174,7 +176,8 @@ class Round {
     const double half = std::sqrt(squared(h)) / 2;
     const bool on_curve = mesh_.is_constrained(h);
     if (half <= floor_) return refuse("at the least size");
-    if (half < least_half_ && !(on_curve && half >= least_of_gap * gap_over(mesh_, h)))
+    if (half < least_half_ &&
+        !(on_curve && (half >= least_of_gap * gap_over(mesh_, h) || edge_turning(mesh_, h) > much_turning)))
       return refuse("an edge beside it would become shorter than its own");
     const double place = on_curve ? split_place(mesh_, h, corners_) : 0.5;
     const SplitPartner partner = on_curve ? find_partner(mesh_, h, corners_, place) : SplitPartner{};
@@ -256,6 +259,13 @@ void Round::exceed(const Attack& attack) const {
   throw TooManyTriangles(text + ", or allow more (--max-triangles)");
 }
 
+std::vector<TriangleId> find_poor(const Mesh& mesh, const QualityGoals& goals) {
+  std::vector<TriangleId> poor = find_turned_over(mesh);
+  for (TriangleId t = 0; t < mesh.triangle_slots(); ++t)
+    if (mesh.is_alive(t) && attack_on(mesh, t, goals).is_poor) poor.push_back(t);
+  return poor;
+}
+
 /// Elements that miss the goals.
 std::vector<TriangleId> find_left(const Mesh& mesh, const QualityGoals& goals) {
   std::vector<TriangleId> left;
@@ -291,6 +301,11 @@ PassReport refine(Mesh& mesh, const RefineOptions& options) {
   long before = 0;
   do {
     before = tally.points();
+    Tamer tamer(mesh, options.refit, tally.flips);
+    const TameCounts tamed = tamer.tame(find_poor(mesh, options.goals), options.max_triangles);
+    tally.insertions += tamed.splits;
+    tally.splits += tamed.curve_splits;
+    if (getenv("TAME")) fprintf(stderr, "tame: %ld %ld left %ld\n", tamed.splits, tamed.curve_splits, tamed.left);
     Round(mesh, options, tally).run();
     // Numbers in the order of insertion would send every later pass from one end of the memory to the other.
     if ((tally.points() - before) * triangles_per_new_vertex > mesh.triangle_count())

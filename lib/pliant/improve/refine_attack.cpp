@@ -13,13 +13,13 @@ namespace {
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
+}  // namespace
+
 double edge_turning(const Mesh& mesh, HalfEdgeId h) {
   std::array<Point, max_degree + 1> polygon;
   mesh.gather_edge_points(h, polygon);
   return turning_angle({polygon.data(), at(mesh.degree() + 1)});
 }
-
-}  // namespace
 
 HalfEdgeId shortest_edge(const Mesh& mesh, TriangleId t) {
   const auto squared = [&](HalfEdgeId h) {

@@ -21,6 +21,9 @@ struct Attack {
 /// An element whose longest edge has this many wanted lengths is too large.
 inline constexpr double size_slack = 1.5;
 
+/// By how much an edge's tangent turns from one end to the other.
+double edge_turning(const Mesh& mesh, HalfEdgeId h);
+
 /// By chords; of equal ones the first.
 HalfEdgeId shortest_edge(const Mesh& mesh, TriangleId t);
 

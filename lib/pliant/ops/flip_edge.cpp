@@ -43,7 +43,9 @@ Refusal flip_edge(Mesh& mesh, HalfEdgeId h, const RefitOptions& options) {
 
   const Side bc = side_of(mesh, next(h)), ca = side_of(mesh, previous(h));
   const Side ad = side_of(mesh, next(g)), db = side_of(mesh, previous(g));
-  if (!turns_left(mesh, ca.points, ad.points) || !turns_left(mesh, db.points, bc.points)) return Refusal::covers_corner;
+  for (const auto& [into, out] : {std::pair(&ca, &ad), std::pair(&db, &bc)})
+    if (!turns_left(mesh, into->points, out->points))
+      return into->constraint != none && out->constraint != none ? Refusal::covers_corner : Refusal::bent_side;
 
   Transaction transaction(mesh);
   thread_local Patch patch;

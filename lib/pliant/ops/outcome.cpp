@@ -16,6 +16,10 @@ const char* describe(Refusal refusal) {
       return "not convex";
     case Refusal::edge_exists:
       return "edge exists";
+    case Refusal::bent_side:
+      return "a bent edge beside it is in the way";
+    case Refusal::would_bend:
+      return "would bend too much";
     case Refusal::covers_corner:
       return "covers a corner of the boundary";
     case Refusal::would_invert:

@@ -9,6 +9,8 @@ enum class Refusal {
   corner,             ///< the vertex ends a curve, or several curves meet there
   not_convex,         ///< the logical quadrilateral is not strictly convex
   edge_exists,        ///< the new edge would join two vertices that an edge joins already
+  bent_side,          ///< a bent inner edge is in the way
+  would_bend,         ///< there is room for a badly bent edge only
   covers_corner,      ///< the new triangle would cover a smooth or reflex corner of the boundary
   would_invert,       ///< no valid place for the new control points
   not_removable,      ///< the star cannot be reduced, or the curve is at its minimum
