@@ -65,6 +65,7 @@ struct Breach {
   int least_degree = 1;
 };
 
+/// A long function, since it is one table: each breach with what plants it.
 const std::vector<Breach>& breaches() {
   static const std::vector<Breach> all{
       {"a shared edge has another control point in one triangle", "M1",

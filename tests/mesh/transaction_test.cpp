@@ -13,6 +13,7 @@ namespace {
 class RandomChanges {
  public:
   RandomChanges(Mesh& mesh, std::uint64_t seed) : mesh_(mesh), random_(seed) {}
+  /// A long function, since it is one list: a case for each function of Mesh that changes it.
   void change() {
     const PointId p = below(mesh_.point_slots());
     const TriangleId t = below(mesh_.triangle_slots());

@@ -120,8 +120,9 @@ VelocityField make_source(const Values& v) {
   };
 }
 
-const std::vector<Entry>& entries() {
-  static const std::vector<Entry> all{
+/// Flows whose velocity is a linear function of the place.
+std::vector<Entry> linear_flows() {
+  return {
       {{"uniform", "the same velocity everywhere", {{"u", 1, "velocity along x"}, {"v", 0, "velocity along y"}}},
        {},
        make_uniform},
@@ -140,6 +141,12 @@ const std::vector<Entry>& entries() {
         {{"rate", 1, "strain rate"}, {"x", 0, "stagnation point"}, {"y", 0, "stagnation point"}}},
        {},
        make_stagnation},
+  };
+}
+
+/// Vortices, alone and in rows.
+std::vector<Entry> vortices() {
+  return {
       {{"rankine",
         "Rankine vortex: rigid rotation inside the core, potential vortex outside",
         {{"circulation", 1, "counter-clockwise"},
@@ -159,8 +166,7 @@ const std::vector<Entry>& entries() {
        make_lamb_oseen},
       {{"reversed-vortex",
         "the single vortex in the unit square of Rider and Kothe, reversed by cos(pi t / period): everything is back "
-        "at "
-        "t = period",
+        "at t = period",
         {{"period", 8, "time after which everything is back"}, {"speed", 1, "greatest speed"}}},
        {"period"},
        make_reversed_vortex},
@@ -171,10 +177,15 @@ const std::vector<Entry>& entries() {
          {"nu", 0, "kinematic viscosity: decay by exp(-2 nu k^2 t)"}}},
        {"length"},
        make_taylor_green},
+  };
+}
+
+/// Flows along walls, past a body, out of a point.
+std::vector<Entry> bounded_flows() {
+  return {
       {{"cylinder",
         "potential flow along x past a cylinder; inside the cylinder a closed vortex of the same velocity on the "
-        "circle, "
-        "smooth and free of divergence",
+        "circle, smooth and free of divergence",
         {{"radius", 1, "of the cylinder"},
          {"speed", 1, "far away"},
          {"x", 0, "centre"},
@@ -195,6 +206,16 @@ const std::vector<Entry>& entries() {
        {"core"},
        make_source},
   };
+}
+
+/// All flows, in the order in which they are listed.
+const std::vector<Entry>& entries() {
+  static const std::vector<Entry> all = [] {
+    std::vector<Entry> list;
+    for (const auto& part : {linear_flows(), vortices(), bounded_flows()})
+      list.insert(list.end(), part.begin(), part.end());
+    return list;
+  }();
   return all;
 }
 

@@ -77,6 +77,9 @@ class SmoothingMoves {
   std::vector<double> excesses_of(std::span<const TriangleId> elements) const;  // sorted
   bool turn_back_by_vertex(PointId v);
   bool turn_back_by_flip(HalfEdgeId h);
+  void collect_movable(TriangleId t);
+  void add_movable_edges(TriangleId t);
+  bool keep_if_better(PointId p, bool drags, const Vector& shift);
 
   Mesh& mesh_;
   const SmoothOptions& options_;

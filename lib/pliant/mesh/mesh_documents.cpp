@@ -6,6 +6,39 @@
 #include "pliant/mesh/renumber.h"
 
 namespace pliant {
+namespace {
+
+/// The constrained edges as a document has them, by curve and span.   `number`: of each point, in the document
+std::vector<ConstrainedEdge> list_constrained_edges(const Mesh& mesh, const std::vector<PointId>& number) {
+  std::vector<ConstrainedEdge> edges;
+  std::vector<std::vector<double>> breaks(mesh.boundary().curves.size());
+  const int p = mesh.degree();
+  for (TriangleId t = 0; t < mesh.triangle_slots(); ++t) {
+    if (!mesh.is_alive(t)) continue;
+    for (int e = 0; e < 3; ++e) {
+      const HalfEdgeId h = half_edge(t, e);
+      if (!mesh.is_constrained(h)) continue;
+      const bool forward = mesh.runs_forward(h);
+      if (!forward && mesh.twin(h) != none) continue;  // its twin is listed
+      const ConstraintId c = mesh.constraint(h);
+      ConstrainedEdge edge;
+      edge.curve = mesh.constraint_curve(c);
+      std::vector<double>& starts = breaks[static_cast<std::size_t>(edge.curve)];
+      if (starts.empty()) starts = mesh.spline(edge.curve).breaks();
+      const double start = mesh.constraint_start(c);
+      edge.span = static_cast<int>(std::lower_bound(starts.begin(), starts.end(), start) - starts.begin());
+      for (int k = 0; k <= p; ++k)
+        edge.points.push_back(number[static_cast<std::size_t>(mesh.edge_point(h, forward ? k : p - k))]);
+      edges.push_back(std::move(edge));
+    }
+  }
+  std::sort(edges.begin(), edges.end(), [](const ConstrainedEdge& a, const ConstrainedEdge& b) {
+    return std::pair{a.curve, a.span} < std::pair{b.curve, b.span};
+  });
+  return edges;
+}
+
+}  // namespace
 
 Mesh::Mesh(MeshData data) : Mesh(data, HalfEdges(data)) {}
 
@@ -112,29 +145,7 @@ MeshData Mesh::to_data() const {
     data.triangle_faces.push_back(face(t));
   }
 
-  std::vector<std::vector<double>> breaks(boundary_.curves.size());
-  for (TriangleId t = 0; t < triangle_slots(); ++t) {
-    if (!is_alive(t)) continue;
-    for (int e = 0; e < 3; ++e) {
-      const HalfEdgeId h = half_edge(t, e);
-      if (!is_constrained(h)) continue;
-      const bool forward = runs_forward(h);
-      if (!forward && twin(h) != none) continue;  // its twin is listed
-      const ConstraintId c = constraint(h);
-      std::vector<double>& starts = breaks[at(constraint_curve(c))];
-      if (starts.empty()) starts = spline(constraint_curve(c)).breaks();
-      ConstrainedEdge edge;
-      edge.curve = constraint_curve(c);
-      edge.span =
-          static_cast<int>(std::lower_bound(starts.begin(), starts.end(), constraint_start(c)) - starts.begin());
-      for (int k = 0; k <= degree_; ++k) edge.points.push_back(number[at(edge_point(h, forward ? k : degree_ - k))]);
-      data.constrained_edges.push_back(std::move(edge));
-    }
-  }
-  std::sort(data.constrained_edges.begin(), data.constrained_edges.end(),
-            [](const ConstrainedEdge& a, const ConstrainedEdge& b) {
-              return std::pair{a.curve, a.span} < std::pair{b.curve, b.span};
-            });
+  data.constrained_edges = list_constrained_edges(*this, number);
 
   std::vector<std::pair<std::array<std::int32_t, 2>, std::int32_t>> places;
   for (const auto& [key, place] : places_)

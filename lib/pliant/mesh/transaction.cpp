@@ -6,6 +6,7 @@
 
 namespace pliant {
 
+// A long function, since it is one list: every kind of change, and how it is taken back.
 void Mesh::undo(std::size_t mark) {
   while (log_.size() > mark) {
     const LogEntry entry = log_.back();

@@ -25,6 +25,113 @@ std::size_t coefficients_of(const Mesh& mesh) {
   return static_cast<std::size_t>(net_size(jacobian_degree(mesh.degree())));
 }
 
+/// One step of Gauss and Newton towards ratios of 1. An object's memory is reused from step to step.
+class EvenStep {
+ public:
+  bool run(Mesh& mesh, std::span<const TriangleId> elements, std::span<const PointId> points,
+           std::span<const double> targets, std::span<const double> weights, double part);
+
+ private:
+  void gather(std::vector<double>& ratios) const;
+  /// The weighted sum of the squares that are to fall.
+  double sum_of(const std::vector<double>& ratios) const;
+  /// How the ratios change with the points' coordinates, by differences.
+  void find_slopes();
+  /// Where the points should go, by the slopes. False where that is no number.
+  bool find_way();
+  /// Goes this far, or half as far and so on, until the sum falls. False, the points where they were, if it never does.
+  bool go(double distance);
+  void move(double distance);
+
+  Mesh* mesh_ = nullptr;
+  std::span<const TriangleId> elements_;
+  std::span<const PointId> points_;
+  std::span<const double> targets_;
+  double length_ = 0;  // of the longest edge
+  std::vector<double> ratios_, moved_, weights_;
+  std::vector<double> slopes_;  // of all ratios, one unknown after the other
+  std::vector<double> normal_, way_;
+};
+
+bool EvenStep::run(Mesh& mesh, std::span<const TriangleId> elements, std::span<const PointId> points,
+                   std::span<const double> targets, std::span<const double> weights, double part) {
+  mesh_ = &mesh;
+  elements_ = elements;
+  points_ = points;
+  targets_ = targets;
+  length_ = longest_edge(mesh, elements);
+  weights_.assign(elements.size() * coefficients_of(mesh), 1.0);
+  std::copy(weights.begin(), weights.end(), weights_.begin());
+  gather(ratios_);
+  find_slopes();
+  return find_way() && go(part * length_);
+}
+
+void EvenStep::gather(std::vector<double>& ratios) const {
+  ratios.resize(weights_.size());
+  jacobian_ratios(*mesh_, elements_, targets_, ratios);
+}
+
+double EvenStep::sum_of(const std::vector<double>& ratios) const {
+  double sum = 0;
+  for (std::size_t i = 0; i < ratios.size(); ++i) sum += weights_[i] * (ratios[i] - 1) * (ratios[i] - 1);
+  return sum;
+}
+
+void EvenStep::find_slopes() {
+  const std::size_t count = ratios_.size(), unknowns = 2 * points_.size();
+  slopes_.resize(count * unknowns);
+  const double step = std::ldexp(length_, -10);
+  for (std::size_t u = 0; u < unknowns; ++u) {
+    const PointId p = points_[u / 2];
+    const Point place = mesh_->point(p);
+    mesh_->set_point(p, place + (u % 2 == 0 ? Vector{step, 0} : Vector{0, step}));
+    gather(moved_);
+    for (std::size_t i = 0; i < count; ++i) slopes_[u * count + i] = (moved_[i] - ratios_[i]) * (length_ / step);
+    mesh_->set_point(p, place);
+  }
+}
+
+bool EvenStep::find_way() {
+  const std::size_t count = ratios_.size(), unknowns = 2 * points_.size();
+  normal_.resize(unknowns * unknowns);
+  way_.resize(unknowns);
+  for (std::size_t u = 0; u < unknowns; ++u) {
+    const double* const slope = slopes_.data() + u * count;
+    way_[u] = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+      moved_[i] = weights_[i] * slope[i];
+      way_[u] += moved_[i] * (1 - ratios_[i]);
+    }
+    for (std::size_t v = 0; v <= u; ++v) {
+      double sum = u == v ? attachment : 0;
+      for (std::size_t i = 0; i < count; ++i) sum += moved_[i] * slopes_[v * count + i];
+      normal_[u * unknowns + v] = normal_[v * unknowns + u] = sum;
+    }
+  }
+  solve_dense(static_cast<int>(unknowns), normal_, 1, way_);
+  return std::all_of(way_.begin(), way_.end(), [](double w) { return std::isfinite(w); });
+}
+
+void EvenStep::move(double distance) {
+  for (std::size_t k = 0; k < points_.size(); ++k)
+    mesh_->set_point(points_[k], mesh_->point(points_[k]) + distance * Vector{way_[2 * k], way_[2 * k + 1]});
+}
+
+bool EvenStep::go(double distance) {
+  const double before = sum_of(ratios_);
+  move(distance);
+  for (int halving = 0;; ++halving) {
+    gather(moved_);
+    if (sum_of(moved_) < before) return true;
+    if (halving == most_halvings) break;
+    move(-distance / 2);
+    distance /= 2;
+  }
+  move(-distance);
+  return false;
+}
+
 }  // namespace
 
 void jacobian_ratios(const Mesh& mesh, std::span<const TriangleId> elements, std::span<const double> targets,
@@ -41,66 +148,8 @@ void jacobian_ratios(const Mesh& mesh, std::span<const TriangleId> elements, std
 
 bool step_to_even_jacobian(Mesh& mesh, std::span<const TriangleId> elements, std::span<const PointId> points,
                            std::span<const double> targets, std::span<const double> weights, double part) {
-  thread_local std::vector<double> ratios, moved, weight, slopes, normal, way;
-  const std::size_t count = elements.size() * coefficients_of(mesh), unknowns = 2 * points.size();
-  const auto gather = [&](std::vector<double>& into) {
-    into.resize(count);
-    jacobian_ratios(mesh, elements, targets, into);
-  };
-  weight.assign(count, 1.0);
-  std::copy(weights.begin(), weights.end(), weight.begin());
-  const auto sum_of = [&](const std::vector<double>& r) {
-    double sum = 0;
-    for (std::size_t i = 0; i < count; ++i) sum += weight[i] * (r[i] - 1) * (r[i] - 1);
-    return sum;
-  };
-
-  gather(ratios);
-  slopes.resize(count * unknowns);  // one unknown after the other
-  const double length = longest_edge(mesh, elements);
-  const double step = std::ldexp(length, -10);
-  for (std::size_t u = 0; u < unknowns; ++u) {
-    const PointId p = points[u / 2];
-    const Point place = mesh.point(p);
-    mesh.set_point(p, place + (u % 2 == 0 ? Vector{step, 0} : Vector{0, step}));
-    gather(moved);
-    for (std::size_t i = 0; i < count; ++i) slopes[u * count + i] = (moved[i] - ratios[i]) * (length / step);
-    mesh.set_point(p, place);
-  }
-  normal.resize(unknowns * unknowns);
-  way.resize(unknowns);
-  for (std::size_t u = 0; u < unknowns; ++u) {
-    const double* const slope = slopes.data() + u * count;
-    way[u] = 0;
-    for (std::size_t i = 0; i < count; ++i) {
-      moved[i] = weight[i] * slope[i];
-      way[u] += moved[i] * (1 - ratios[i]);
-    }
-    for (std::size_t v = 0; v <= u; ++v) {
-      double sum = u == v ? attachment : 0;
-      for (std::size_t i = 0; i < count; ++i) sum += moved[i] * slopes[v * count + i];
-      normal[u * unknowns + v] = normal[v * unknowns + u] = sum;
-    }
-  }
-  solve_dense(static_cast<int>(unknowns), normal, 1, way);
-  if (!std::all_of(way.begin(), way.end(), [](double w) { return std::isfinite(w); })) return false;
-
-  const double before = sum_of(ratios);
-  const auto go = [&](double scale) {
-    for (std::size_t k = 0; k < points.size(); ++k)
-      mesh.set_point(points[k], mesh.point(points[k]) + scale * Vector{way[2 * k], way[2 * k + 1]});
-  };
-  double gone = part * length;
-  go(gone);
-  for (int halving = 0;; ++halving) {
-    gather(moved);
-    if (sum_of(moved) < before) return true;
-    if (halving == most_halvings) break;
-    go(-gone / 2);
-    gone /= 2;
-  }
-  go(-gone);
-  return false;
+  thread_local EvenStep step;
+  return step.run(mesh, elements, points, targets, weights, part);
 }
 
 }  // namespace pliant

@@ -91,6 +91,146 @@ InsertResult insert_inside(Mesh& mesh, TriangleId t, const Barycentric& xi) {
   return {Refusal::done, v};
 }
 
+/// The split of an edge from a to b at a new vertex x: of the triangles on its sides, and of the curve that it lies on.
+class EdgeSplit {
+ public:
+  /// Makes x and the edges a-x and x-b, and copies what the sides hold.
+  EdgeSplit(Mesh& mesh, HalfEdgeId h, double s);
+  PointId vertex() const { return x_; }
+  /// Replaces each triangle by two; what they hold is a subdivision.
+  void split_sides();
+  /// Inserts the knot, if the edge lies on a curve. False where there is no double between the ends of the span.
+  bool split_curve();
+  bool is_valid() const;
+
+ private:
+  void split_side(int side);
+  /// Writes the rows of both pieces of a side: t at the origin of the edge, u at its target; `e`: their part of the
+  /// edge.
+  void put_rows(int side, TriangleId t, TriangleId u, int e);
+  void constrain(const std::array<HalfEdgeId, 2>& half, ConstraintId constraint);
+  /// Places the points of both edges as the curve's own extraction says, so that M4 holds to the last bits however
+  /// often edges are split.   t0, t: where the two spans start
+  void place_on_curve(const BSpline& spline, double t0, double t, bool forward);
+
+  Mesh& mesh_;
+  double s_;
+  PointId a_, x_;
+  std::array<HalfEdgeId, 2> sides_;  // of the edge, from a and from b; the second may be none
+  ConstraintId constraint_;
+  EdgePoints first_, second_;                                                   // a-x and x-b
+  std::array<HalfEdgeId, 2> first_half_{none, none}, second_half_{none, none};  // of the same edges, on either side
+  std::array<TriangleId, 4> touched_{none, none, none, none};
+};
+
+EdgeSplit::EdgeSplit(Mesh& mesh, HalfEdgeId h, double s)
+    : mesh_(mesh), s_(s), a_(mesh.origin(h)), sides_{h, mesh.twin(h)}, constraint_(mesh.constraint(h)) {
+  const PointId b = mesh.target(h);
+  const EdgePoints old = side_of(mesh, h).points;
+  x_ = mesh.add_point();
+  first_ = new_edge(a_, x_, {old.ids.data() + 1, static_cast<std::size_t>(mesh.degree() - 1)}, mesh.degree());
+  second_ = new_edge(mesh, x_, b);
+  for (int side = 0; side < 2; ++side) {  // before the shared points are overwritten
+    const HalfEdgeId g = sides_[static_cast<std::size_t>(side)];
+    if (g != none) scratch(side).take(mesh, triangle_of(g));
+  }
+}
+
+void EdgeSplit::split_sides() {
+  for (int side = 0; side < 2; ++side)
+    if (sides_[static_cast<std::size_t>(side)] != none) split_side(side);
+  mesh_.link(first_half_[0], first_half_[1]);
+  mesh_.link(second_half_[0], second_half_[1]);
+}
+
+void EdgeSplit::split_side(int side) {
+  const auto k = static_cast<std::size_t>(side);
+  const HalfEdgeId g = sides_[k];
+  const TriangleId t = triangle_of(g);
+  const int e = edge_of(g);
+  const Side ahead = side_of(mesh_, next(g)), behind = side_of(mesh_, previous(g));
+  const PointId apex = mesh_.apex(g);
+  const EdgePoints spoke = new_edge(mesh_, x_, apex);
+  const EdgePoints near = side == 0 ? first_ : second_.reversed();  // origin(g) to x
+  const EdgePoints far = side == 0 ? second_ : first_.reversed();   // x to target(g)
+  const TriangleId u = mesh_.add_triangle(mesh_.face(t));
+  const InnerPoints inner = inner_points(mesh_, t), inner_new = new_inner_points(mesh_);
+  // Both pieces have the split edge as local edge e: t keeps origin(g), u gets target(g).
+  build_triangle(mesh_, t, near, spoke, behind.points, inner, e);
+  build_triangle(mesh_, u, far, ahead.points, spoke.reversed(), inner_new, e);
+  attach(mesh_, previous(g), behind);
+  attach(mesh_, half_edge(u, (e + 1) % 3), ahead);
+  mesh_.link(next(g), half_edge(u, (e + 2) % 3));
+  mesh_.set_constraint(next(g), none);
+  put_rows(side, t, u, e);
+  touched_[2 * k] = t;
+  touched_[2 * k + 1] = u;
+  first_half_[k] = side == 0 ? g : half_edge(u, e);
+  second_half_[k] = side == 0 ? half_edge(u, e) : g;
+}
+
+void EdgeSplit::put_rows(int side, TriangleId t, TriangleId u, int e) {
+  const FaceId f = mesh_.face(t);
+  const int e_next = (e + 1) % 3;
+  Pieces& pieces = scratch(side);
+  Barycentric on_edge{};
+  const double along = side == 0 ? s_ : 1 - s_;
+  on_edge[static_cast<std::size_t>(e)] = 1 - along;
+  on_edge[static_cast<std::size_t>(e_next)] = along;
+  std::array<Barycentric, 3> corners{unit(0), unit(1), unit(2)};
+  corners[static_cast<std::size_t>(e_next)] = on_edge;
+  pieces.cut(corners[0], corners[1], corners[2]);
+  mesh_.put_row(x_, f, pieces.row(e_next));
+  put_edge_rows(mesh_, t, e, f, pieces);
+  put_edge_rows(mesh_, t, e_next, f, pieces);
+  put_inner_rows(mesh_, t, f, pieces);
+  corners = {unit(0), unit(1), unit(2)};
+  corners[static_cast<std::size_t>(e)] = on_edge;
+  pieces.cut(corners[0], corners[1], corners[2]);
+  put_edge_rows(mesh_, u, e, f, pieces);
+  put_inner_rows(mesh_, u, f, pieces);
+}
+
+void EdgeSplit::constrain(const std::array<HalfEdgeId, 2>& half, ConstraintId constraint) {
+  for (const HalfEdgeId g : half)
+    if (g != none) mesh_.set_constraint(g, constraint);
+}
+
+bool EdgeSplit::split_curve() {
+  if (constraint_ == none) {
+    constrain(first_half_, none);
+    constrain(second_half_, none);
+    return true;
+  }
+  const CurveId curve = mesh_.constraint_curve(constraint_);
+  const bool forward = mesh_.constraint_first(constraint_) == a_;
+  const double t0 = mesh_.constraint_start(constraint_), t1 = mesh_.spline(curve).span_end(t0);
+  const double t = t0 + (forward ? s_ : 1 - s_) * (t1 - t0);
+  if (!(t0 < t && t < t1)) return false;
+  mesh_.insert_knot(curve, t);
+  const ConstraintId added = mesh_.add_constraint(curve, t, x_);
+  constrain(forward ? first_half_ : second_half_, constraint_);
+  constrain(forward ? second_half_ : first_half_, added);
+  place_on_curve(mesh_.spline(curve), t0, t, forward);
+  return true;
+}
+
+void EdgeSplit::place_on_curve(const BSpline& spline, double t0, double t, bool forward) {
+  const int p = mesh_.degree();
+  std::array<Point, max_degree + 1> bezier;
+  for (const double start : {t0, t}) {
+    spline.extract(start, {bezier.data(), static_cast<std::size_t>(p + 1)});
+    const EdgePoints& half = (start == t0) == forward ? first_ : second_;
+    for (int k = 1; k < p; ++k) mesh_.set_point(half[forward ? k : p - k], bezier[static_cast<std::size_t>(k)]);
+    if (start == t) mesh_.set_point(x_, bezier[0]);
+  }
+}
+
+bool EdgeSplit::is_valid() const {
+  return std::all_of(touched_.begin(), touched_.end(),
+                     [this](TriangleId t) { return t == none || pliant::is_valid(mesh_, t); });
+}
+
 }  // namespace
 
 InsertResult insert_point(Mesh& mesh, TriangleId t, const Barycentric& xi, double edge_tolerance) {
@@ -107,96 +247,12 @@ InsertResult insert_point(Mesh& mesh, TriangleId t, const Barycentric& xi, doubl
 
 InsertResult split_edge(Mesh& mesh, HalfEdgeId h, double s) {
   if (!(s > 0 && s < 1)) return {Refusal::not_in_domain, none};
-  const ConstraintId constraint = mesh.constraint(h);
   Transaction transaction(mesh);
-  const int p = mesh.degree();
-  const PointId a = mesh.origin(h), b = mesh.target(h);
-  const HalfEdgeId opposite = mesh.twin(h);
-  const EdgePoints old = side_of(mesh, h).points;
-  const PointId x = mesh.add_point();
-  const EdgePoints first = new_edge(a, x, {old.ids.data() + 1, static_cast<std::size_t>(p - 1)}, p);
-  const EdgePoints second = new_edge(mesh, x, b);
-  scratch(0).take(mesh, triangle_of(h));
-  if (opposite != none) scratch(1).take(mesh, triangle_of(opposite));  // before the shared points are overwritten
-
-  std::array<TriangleId, 4> touched{none, none, none, none};
-  std::array<HalfEdgeId, 2> first_half{none, none}, second_half{none, none};  // a-x and x-b, on either side
-  for (int side = 0; side < 2; ++side) {
-    const HalfEdgeId g = side == 0 ? h : opposite;
-    if (g == none) continue;
-    const TriangleId t = triangle_of(g);
-    const FaceId f = mesh.face(t);
-    const int e = edge_of(g);
-    Pieces& pieces = scratch(side);
-    const Side ahead = side_of(mesh, next(g)), behind = side_of(mesh, previous(g));
-    const PointId apex = mesh.apex(g);
-    const EdgePoints spoke = new_edge(mesh, x, apex);
-    const EdgePoints near = side == 0 ? first : second.reversed();  // origin(g) to x
-    const EdgePoints far = side == 0 ? second : first.reversed();   // x to target(g)
-    const TriangleId u = mesh.add_triangle(f);
-    const InnerPoints inner = inner_points(mesh, t), inner_new = new_inner_points(mesh);
-    // Both pieces have the split edge as local edge e: t keeps origin(g), u gets target(g).
-    build_triangle(mesh, t, near, spoke, behind.points, inner, e);
-    build_triangle(mesh, u, far, ahead.points, spoke.reversed(), inner_new, e);
-    attach(mesh, previous(g), behind);
-    attach(mesh, half_edge(u, (e + 1) % 3), ahead);
-    mesh.link(next(g), half_edge(u, (e + 2) % 3));
-    mesh.set_constraint(next(g), none);
-    Barycentric on_edge{};
-    const double along = side == 0 ? s : 1 - s;
-    on_edge[static_cast<std::size_t>(e)] = 1 - along;
-    on_edge[static_cast<std::size_t>((e + 1) % 3)] = along;
-    std::array<Barycentric, 3> corners{unit(0), unit(1), unit(2)};
-    corners[static_cast<std::size_t>((e + 1) % 3)] = on_edge;
-    pieces.cut(corners[0], corners[1], corners[2]);
-    mesh.put_row(x, f, pieces.row((e + 1) % 3));
-    put_edge_rows(mesh, t, e, f, pieces);
-    put_edge_rows(mesh, t, (e + 1) % 3, f, pieces);
-    put_inner_rows(mesh, t, f, pieces);
-    corners = {unit(0), unit(1), unit(2)};
-    corners[static_cast<std::size_t>(e)] = on_edge;
-    pieces.cut(corners[0], corners[1], corners[2]);
-    put_edge_rows(mesh, u, e, f, pieces);
-    put_inner_rows(mesh, u, f, pieces);
-    touched[static_cast<std::size_t>(2 * side)] = t;
-    touched[static_cast<std::size_t>(2 * side + 1)] = u;
-    first_half[static_cast<std::size_t>(side)] = side == 0 ? g : half_edge(u, e);
-    second_half[static_cast<std::size_t>(side)] = side == 0 ? half_edge(u, e) : g;
-  }
-  mesh.link(first_half[0], first_half[1]);
-  mesh.link(second_half[0], second_half[1]);
-
-  if (constraint != none) {
-    const CurveId curve = mesh.constraint_curve(constraint);
-    const bool forward = mesh.constraint_first(constraint) == a;
-    const double t0 = mesh.constraint_start(constraint), t1 = mesh.spline(curve).span_end(t0);
-    const double t = t0 + (forward ? s : 1 - s) * (t1 - t0);
-    if (!(t0 < t && t < t1)) return {Refusal::would_invert, none};
-    mesh.insert_knot(curve, t);
-    const ConstraintId added = mesh.add_constraint(curve, t, x);
-    const auto mark = [&mesh](const std::array<HalfEdgeId, 2>& half, ConstraintId c) {
-      for (const HalfEdgeId g : half)
-        if (g != none) mesh.set_constraint(g, c);
-    };
-    mark(forward ? first_half : second_half, constraint);
-    mark(forward ? second_half : first_half, added);
-    // The mesh takes the curve's own extraction, so that M4 holds to the last bits however often edges are split.
-    const BSpline& spline = mesh.spline(curve);
-    std::array<Point, max_degree + 1> bezier;
-    for (const double start : {t0, t}) {
-      spline.extract(start, {bezier.data(), static_cast<std::size_t>(p + 1)});
-      const EdgePoints& half = (start == t0) == forward ? first : second;
-      for (int k = 1; k < p; ++k) mesh.set_point(half[forward ? k : p - k], bezier[static_cast<std::size_t>(k)]);
-      if (start == t) mesh.set_point(x, bezier[0]);
-    }
-  } else {
-    for (const HalfEdgeId g : {first_half[0], first_half[1], second_half[0], second_half[1]})
-      if (g != none) mesh.set_constraint(g, none);
-  }
-  for (const TriangleId t : touched)
-    if (t != none && !is_valid(mesh, t)) return {Refusal::would_invert, none};
+  EdgeSplit split(mesh, h, s);
+  split.split_sides();
+  if (!split.split_curve() || !split.is_valid()) return {Refusal::would_invert, none};
   transaction.commit();
-  return {Refusal::done, x};
+  return {Refusal::done, split.vertex()};
 }
 
 }  // namespace pliant

@@ -63,11 +63,11 @@ class Patch {
   std::span<const double> all_rows() const { return rows_; }
 
  private:
+  friend class FieldFit;  // reads the old elements
   struct Element {
     FaceId face;
     std::size_t first_row;  // into rows_, in doubles
   };
-  struct Group;
   std::span<const double> rows(const Element& e) const {
     return std::span<const double>(rows_).subspan(e.first_row, static_cast<std::size_t>(n_ * width_));
   }
@@ -80,8 +80,6 @@ class Patch {
   /// The displacements of the free points: those of the old elements, projected.
   void fit_displacement(const Mesh& mesh, std::span<const TriangleId> now, std::span<const PointId> free,
                         std::span<const double> displacement, std::span<Vector> solution) const;
-  void fit_group(Mesh& mesh, std::span<const TriangleId> now, std::span<const PointId> free, const Group& group,
-                 const RefitOptions& options, bool region_kept) const;
 
   int degree_ = 0, n_ = 0, width_ = 0;
   double size_ = 0, reach_ = 0;  // of the mesh; of the coordinates
