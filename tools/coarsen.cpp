@@ -19,8 +19,8 @@ int main(int argc, char** argv) {
   std::string tolerance, step_tolerance, polygon_tolerance, factor = "1", feature_share;
   criteria.add(app);
   app.add_option("--tolerance", tolerance,
-                 "bound of what knot removals change of a curve in all, as the document keeps account of it; default: "
-                 "0.001 of the mesh's size")
+                 "bound of what knot removals change of a curve in all, as the document keeps account of it; 0: curves "
+                 "stay as they are; default: 0.001 of the mesh's size")
       ->type_name("LENGTH");
   app.add_option("--step-tolerance", step_tolerance, "bound of what one removal changes; default: 0.1 of --tolerance")
       ->type_name("LENGTH");
@@ -50,8 +50,8 @@ int main(int argc, char** argv) {
     if (!polygon_tolerance.empty())
       options.polygon_tolerance = parse_positive("--polygon-tolerance", polygon_tolerance);
     if (!feature_share.empty()) options.feature_share = parse_positive("--feature-size", feature_share);
-    if (!tolerance.empty()) options.tolerance = parse_positive("--tolerance", tolerance);
-    if (!step_tolerance.empty()) options.step_tolerance = parse_positive("--step-tolerance", step_tolerance);
+    if (!tolerance.empty()) options.tolerance = parse_not_negative("--tolerance", tolerance);
+    if (!step_tolerance.empty()) options.step_tolerance = parse_not_negative("--step-tolerance", step_tolerance);
     given = options;
   };
   return run_filter(

@@ -51,6 +51,12 @@ double parse_positive(const std::string& option, const std::string& text) {
   return value;
 }
 
+double parse_not_negative(const std::string& option, const std::string& text) {
+  const double value = parse_number(option, text);
+  if (!(value >= 0)) throw UsageError(option + ": '" + text + "' should not be below zero");
+  return value;
+}
+
 std::pair<std::string, double> parse_named_number(const std::string& option, const std::string& text) {
   const std::size_t equals = text.rfind('=');
   if (equals == std::string::npos || equals == 0) throw UsageError(option + ": '" + text + "' should be NAME=NUMBER");

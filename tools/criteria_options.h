@@ -20,6 +20,7 @@ struct ToolOptions;
 double parse_number(const std::string& option, const std::string& text);
 /// The same, above zero.
 double parse_positive(const std::string& option, const std::string& text);
+double parse_not_negative(const std::string& option, const std::string& text);
 /// NAME=NUMBER, split at the last '='; the number finite and above zero.
 std::pair<std::string, double> parse_named_number(const std::string& option, const std::string& text);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "pliant/geometry/predicates.h"
+#include "pliant/improve/straighten_together.h"
 #include "pliant/ops/flip_edge.h"
 #include "pliant/ops/smooth_edge.h"
 
@@ -30,6 +31,8 @@ bool is_bent(const Mesh& mesh, HalfEdgeId h, const Bend& bend = mild) {
   };
   return exceeds_height(h) || exceeds_height(mesh.twin(h));
 }
+
+bool is_mildly_bent(const Mesh& mesh, HalfEdgeId h) { return is_bent(mesh, h); }
 
 /// Straightens the bent edges of both triangles at h; false if there were none.
 bool straighten_around(Mesh& mesh, HalfEdgeId h, const RefitOptions& refit) {
@@ -75,7 +78,9 @@ bool straighten_bent(Mesh& mesh, std::vector<HalfEdgeId>& edges, const RefitOpti
     before = edges.size();
     std::erase_if(edges, [&](HalfEdgeId h) { return straighten_edge(mesh, h, 0, refit) == Refusal::done; });
   }
-  const bool any = edges.size() < bent;
+  bool any = edges.size() < bent;
+  for (const HalfEdgeId h : edges)  // two that are in each other's way
+    if (is_bent(mesh, h, bad)) any = straighten_together(mesh, h, is_mildly_bent, refit) || any;
   edges.clear();
   return any;
 }

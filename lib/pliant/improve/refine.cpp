@@ -302,7 +302,8 @@ PassReport refine(Mesh& mesh, const RefineOptions& options) {
   do {
     before = tally.points();
     Tamer tamer(mesh, options.refit, tally.flips);
-    const TameCounts tamed = tamer.tame(find_poor(mesh, options.goals), options.max_triangles);
+    TameCounts tamed;
+    tamed = tamer.tame(find_poor(mesh, options.goals), options.max_triangles);
     tally.insertions += tamed.splits;
     tally.splits += tamed.curve_splits;
     if (getenv("TAME")) fprintf(stderr, "tame: %ld %ld left %ld\n", tamed.splits, tamed.curve_splits, tamed.left);

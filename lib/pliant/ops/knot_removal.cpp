@@ -12,7 +12,8 @@ namespace {
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-bool is_tolerable(const Curve& curve, double error, const CurveTolerance& tolerance) {
+bool is_tolerable(const Mesh& mesh, const Curve& curve, double error, const CurveTolerance& tolerance) {
+  if (error <= mesh.tolerance()) return true;  // exact but for rounding
   return curve.removal_error + error <= tolerance.total && error <= tolerance.step;
 }
 
@@ -23,7 +24,7 @@ std::optional<double> remove_break(Mesh& mesh, CurveId c, double knot, const Cur
   std::optional<RemovalStretch> before;
   if (tolerance.keep_area) before.emplace(mesh, c, knot);
   std::optional<double> error = mesh.remove_break(c, knot);
-  if (error && before && is_tolerable(curve, *error, tolerance)) error = before->restore_area(mesh);
+  if (error && before && is_tolerable(mesh, curve, *error, tolerance)) error = before->restore_area(mesh);
   return error;
 }
 
@@ -47,11 +48,11 @@ KnotRemoval try_removal(Mesh& mesh, PointId v, const Star& star, const CurveTole
   const std::optional<double> least = spline.removal_error(knot);
   if (!least) return refused(Refusal::not_removable);
   plan.error = *least;
-  if (!is_tolerable(curve, plan.error, tolerance)) return refused(Refusal::exceeds_tolerance);
+  if (!is_tolerable(mesh, curve, plan.error, tolerance)) return refused(Refusal::exceeds_tolerance);
   const std::optional<double> error = remove_break(mesh, c, knot, tolerance);
   if (!error) return refused(Refusal::not_removable);
   plan.error = *error;
-  if (!is_tolerable(curve, plan.error, tolerance)) return refused(Refusal::exceeds_tolerance);
+  if (!is_tolerable(mesh, curve, plan.error, tolerance)) return refused(Refusal::exceeds_tolerance);
   std::array<Point, max_degree + 1> merged_polygon;
   const std::span<Point> long_span{merged_polygon.data(), at(mesh.degree() + 1)};
   spline.extract(plan.start, long_span);
