@@ -50,6 +50,7 @@ class Smoother {
     work(suspects_);
     left_ = still_curved();
     if (!places.empty()) keep_input(poor, places);
+    untangle_by_vertices();
     // Each option goes on from what the ones before it have left, and may not make it worse.
     if (wanted_.vertices) options_.vertices = true, work_on();
     if (wanted_.flips) options_.flips = true, work_on();
@@ -123,6 +124,20 @@ class Smoother {
       work(left_);
     }
     for (int round = 0; round < most_rounds && turn_back(); ++round) work(suspects_);
+    left_ = still_curved();
+  }
+  /// Where a vertex is in a wrong place no place of its edges' points helps: what is invalid is worth any means.
+  void untangle_by_vertices() {
+    std::vector<TriangleId> invalid;
+    for (const TriangleId t : left_)
+      if (!is_valid(mesh_, t)) invalid.push_back(t);
+    if (invalid.empty()) return;
+    options_.vertices = options_.flips = true;
+    guard();
+    forget_failures();
+    work(invalid);
+    for (int round = 0; round < most_rounds && turn_back(); ++round) work(suspects_);
+    options_.vertices = options_.flips = false;
     left_ = still_curved();
   }
   void split_on() {
