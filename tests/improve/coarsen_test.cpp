@@ -278,7 +278,7 @@ TEST_CASE("removals that leave the curves where they are keep integrals, linear 
   CoarsenOptions options = options_for(mesh, 0);  // only knots that were inserted, or on straight walls, may go
   const PassReport report = coarsen(mesh, options);
   CHECK(value_of(report, "interior_removals") > 20);
-  CHECK(value_of(report, "accumulated_error") == 0);
+  CHECK(value_of(report, "accumulated_error") < 1e-13);
   CHECK(area_of(mesh) == Approx(area).epsilon(1e-13));
   CHECK(linear_error(mesh) < 1e-11);
   CHECK(integral_of(mesh, 1, 0) == Approx(integral).margin(1e-12 * std::max(1.0, area)));
