@@ -79,8 +79,11 @@ bool straighten_bent(Mesh& mesh, std::vector<HalfEdgeId>& edges, const RefitOpti
     std::erase_if(edges, [&](HalfEdgeId h) { return straighten_edge(mesh, h, 0, refit) == Refusal::done; });
   }
   bool any = edges.size() < bent;
-  for (const HalfEdgeId h : edges)  // two that are in each other's way
-    if (is_bent(mesh, h, bad)) any = straighten_together(mesh, h, is_mildly_bent, refit) || any;
+  for (const HalfEdgeId h : edges)  // what is left hangs together, as a rule, and fails together
+    if (is_bent(mesh, h, bad)) {
+      if (!straighten_together(mesh, h, is_mildly_bent, refit)) break;
+      any = true;
+    }
   edges.clear();
   return any;
 }

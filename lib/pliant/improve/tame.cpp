@@ -56,7 +56,8 @@ TameCounts Tamer::tame(std::vector<TriangleId> seeds, long max_triangles, std::v
     changed_.clear();
     refused_.clear();
     straighten_and_flip(seeds);
-    changed_.insert(changed_.end(), seeds.begin(), seeds.end());
+    for (const TriangleId t : seeds)
+      if (is_wild(t)) changed_.push_back(t);
     bool is_cut = false;
     for (const TriangleId t : seeds)
       if (is_wild(t) && mesh_.triangle_count() < max_triangles) is_cut = cut(t) || is_cut;

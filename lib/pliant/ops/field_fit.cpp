@@ -12,6 +12,7 @@ namespace {
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 // A field is rough where its residuals exceed this part of the variation of its best linear function.
+constexpr double most_missing = 1e3;  // of an integral, in its rounding
 constexpr double rough = 0.1;
 
 /// Spreads a missing integral over values with positive weights, least change, each within its range (none: any value).
@@ -50,7 +51,7 @@ double spread(double missing, std::span<const double> weights, std::span<double>
 
 }  // namespace
 
-void FieldFit::run(const Patch& patch, Mesh& mesh, std::span<const TriangleId> now, std::span<const PointId> free,
+bool FieldFit::run(const Patch& patch, Mesh& mesh, std::span<const TriangleId> now, std::span<const PointId> free,
                    const FieldGroup& group, const RefitOptions& options, bool region_kept) {
   patch_ = &patch;
   mesh_ = &mesh;
@@ -61,7 +62,7 @@ void FieldFit::run(const Patch& patch, Mesh& mesh, std::span<const TriangleId> n
   columns_ = static_cast<int>(group.components.size());
   size_ = patch.n_;
   collect_unknowns(free);
-  if (unknowns_.empty() && !conserves_) return;
+  if (unknowns_.empty() && !conserves_) return true;
   take_residuals();
   assemble();
   double weights_sum = 0;
@@ -69,10 +70,12 @@ void FieldFit::run(const Patch& patch, Mesh& mesh, std::span<const TriangleId> n
   for (int c = 0; c < columns_; ++c) {
     solve_component(c);
     const Component& component = components_[at(c)];
-    const double missing = put_values(component);
+    double missing = put_values(component);
     const double noise = 1e-15 * weights_sum * (std::abs(component.values.low) + std::abs(component.values.high));
-    if (conserves_ && !(std::abs(missing) <= noise)) spread_missing(component, missing, noise);
+    if (conserves_ && !(std::abs(missing) <= noise)) missing = spread_missing(component, missing, noise);
+    if (conserves_ && !(std::abs(missing) <= most_missing * noise)) return false;
   }
+  return true;
 }
 
 FieldFit::Range FieldFit::residual_range(const Component& component, const Point& place) const {
@@ -161,14 +164,15 @@ double FieldFit::put_values(const Component& component) {
   return missing;
 }
 
-void FieldFit::spread_missing(const Component& component, double missing, double noise) {
+double FieldFit::spread_missing(const Component& component, double missing, double noise) {
   for (const bool corners : {false, true}) {
     collect_takers(component, corners);
     missing = spread<Range>(missing, taker_weights_, taker_values_, taker_ranges_);
     for (std::size_t k = 0; k < takers_.size(); ++k)
       mesh_->put_component(component.field, component.component, takers_[k], taker_faces_[k], taker_values_[k]);
-    if (std::abs(missing) <= noise) return;
+    if (std::abs(missing) <= noise) break;
   }
+  return missing;
 }
 
 void FieldFit::collect_takers(const Component& component, bool corners) {

@@ -29,7 +29,8 @@ struct FieldGroup {
 /// reused from fit to fit.
 class FieldFit {
  public:
-  void run(const Patch& patch, Mesh& mesh, std::span<const TriangleId> now, std::span<const PointId> free,
+  /// False if an integral that was asked for is not kept to rounding.
+  bool run(const Patch& patch, Mesh& mesh, std::span<const TriangleId> now, std::span<const PointId> free,
            const FieldGroup& group, const RefitOptions& options, bool region_kept);
 
  private:
@@ -85,7 +86,7 @@ class FieldFit {
   double put_values(const Component& component);
   /// Spreads what the unknowns could not keep of the integral over the values of the new elements' own edges, and what
   /// is missing then over those of their corners.
-  void spread_missing(const Component& component, double missing, double noise);
+  double spread_missing(const Component& component, double missing, double noise);
   /// The values that may change for the integral's sake: the known ones of the edges, or of the corners.
   void collect_takers(const Component& component, bool corners);
 

@@ -70,7 +70,7 @@ Refusal flip_edge(Mesh& mesh, HalfEdgeId h, const RefitOptions& options) {
     free[count++] = inner_u[static_cast<std::size_t>(k)];
   }
   if (!patch.fit_geometry(mesh, pair, {free.data(), count}, options.straight_below)) return Refusal::would_invert;
-  patch.fit_fields(mesh, pair, {free.data(), count}, options);
+  if (!patch.fit_fields(mesh, pair, {free.data(), count}, options)) return Refusal::loses_integral;
   transaction.commit();
   return Refusal::done;
 }

@@ -16,7 +16,7 @@ Refusal move_and_refit(Mesh& mesh, std::span<const TriangleId> elements, std::sp
   patch.capture(mesh, elements);
   move();
   if (!all_valid(mesh, elements)) return Refusal::would_invert;
-  patch.fit_fields(mesh, elements, points, options, was_valid);
+  if (!patch.fit_fields(mesh, elements, points, options, was_valid)) return Refusal::loses_integral;
   transaction.commit();
   return Refusal::done;
 }

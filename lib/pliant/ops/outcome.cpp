@@ -30,6 +30,8 @@ const char* describe(Refusal refusal) {
       return "exceeds the tolerance";
     case Refusal::too_curved:
       return "would turn too much";
+    case Refusal::loses_integral:
+      return "would lose a part of a field's integral";
     case Refusal::not_in_domain:
       return "outside";
   }

@@ -16,6 +16,7 @@ enum class Refusal {
   not_removable,      ///< the star cannot be reduced, or the curve is at its minimum
   exceeds_tolerance,  ///< knot removal would move the curve too far
   too_curved,         ///< the edge that knot removal leaves would turn too much
+  loses_integral,     ///< a field's values within their limits cannot keep its integral
   not_in_domain       ///< the point is outside
 };
 /// The reason in a few words, for reports.

@@ -29,8 +29,9 @@ class Patch {
   /// old function at physical quadrature points, integral kept and values limited as options.projection says.
   /// `region_kept`: old and new elements cover the same region; otherwise functions of degree <= 1 are reproduced and
   /// the integral is not asked for.
-  /// Functions of degree <= 1 are reproduced always.
-  void fit_fields(Mesh& mesh, std::span<const TriangleId> now, std::span<const PointId> free,
+  /// Functions of degree <= 1 are reproduced always. False if an integral that was asked for cannot be kept within the
+  /// limits: the operation is to be undone then.
+  bool fit_fields(Mesh& mesh, std::span<const TriangleId> now, std::span<const PointId> free,
                   const RefitOptions& options, bool region_kept = true) const;
 
   /// The best linear function of each field column over the old control values: value = c0 + c1 (x - x0) + c2 (y - y0).

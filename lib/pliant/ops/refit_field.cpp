@@ -5,9 +5,9 @@
 
 namespace pliant {
 
-void Patch::fit_fields(Mesh& mesh, std::span<const TriangleId> now, std::span<const PointId> free,
+bool Patch::fit_fields(Mesh& mesh, std::span<const TriangleId> now, std::span<const PointId> free,
                        const RefitOptions& options, bool region_kept) const {
-  if (width_ == 2) return;
+  if (width_ == 2) return true;
   thread_local FieldGroup continuous, by_face;
   continuous.components.clear();
   by_face.components.clear();
@@ -19,16 +19,18 @@ void Patch::fit_fields(Mesh& mesh, std::span<const TriangleId> now, std::span<co
       group.components.push_back({column, static_cast<int>(k), c});
     }
   thread_local FieldFit fit;
-  if (!continuous.components.empty()) fit.run(*this, mesh, now, free, continuous, options, region_kept);
-  if (by_face.components.empty()) return;
+  if (!continuous.components.empty() && !fit.run(*this, mesh, now, free, continuous, options, region_kept))
+    return false;
+  if (by_face.components.empty()) return true;
   thread_local std::vector<FaceId> faces;
   faces.clear();
   for (const TriangleId t : now)
     if (std::find(faces.begin(), faces.end(), mesh.face(t)) == faces.end()) faces.push_back(mesh.face(t));
   for (const FaceId f : faces) {
     by_face.face = f;
-    fit.run(*this, mesh, now, free, by_face, options, region_kept);
+    if (!fit.run(*this, mesh, now, free, by_face, options, region_kept)) return false;
   }
+  return true;
 }
 
 }  // namespace pliant

@@ -51,7 +51,7 @@ class CurveVertexRemoval {
   void move_points();
   /// Places the points inside the merged elements. True if all elements are valid then.
   bool place_inner_points();
-  void refit_fields();
+  bool refit_fields();
   /// Changes the values of one component at points that have moved as the best linear function changes there.
   void follow_moves(int field, int component, int column);
   /// Integrals over a region that has changed: restored, or their change reported.
@@ -130,8 +130,7 @@ Refusal CurveVertexRemoval::change(const CurveTolerance& tolerance) {
   plan_moves();
   move_points();
   if (!place_inner_points()) return Refusal::would_invert;
-  if (mesh_->width() > 2) refit_fields();
-  return Refusal::done;
+  return mesh_->width() == 2 || refit_fields() ? Refusal::done : Refusal::loses_integral;
 }
 
 bool CurveVertexRemoval::reduce_sides() {
@@ -291,7 +290,7 @@ bool CurveVertexRemoval::place_inner_points() {
   return all_valid(*mesh_, after_);
 }
 
-void CurveVertexRemoval::refit_fields() {
+bool CurveVertexRemoval::refit_fields() {
   const int p = mesh_->degree();
   int column = 2;
   for (std::size_t f = 0; f < mesh_->fields().size(); ++f)
@@ -302,11 +301,11 @@ void CurveVertexRemoval::refit_fields() {
       for (int i = 3 + 2 * (p - 1); i < mesh_->net_size(); ++i)  // the long edge's points, then the inner ones
         mesh_->put_fields(mesh_->net(t)[at(i)], mesh_->face(t), parents_[k].row(i));
     }
-    return;
+    return true;
   }
   free_.assign(edge_.ids.begin() + 1, edge_.ids.begin() + p);
   free_.insert(free_.end(), inner_.begin(), inner_.end());
-  (region_kept_ ? merging_ : patch_).fit_fields(*mesh_, merged_triangles_, free_, options_, region_kept_);
+  return (region_kept_ ? merging_ : patch_).fit_fields(*mesh_, merged_triangles_, free_, options_, region_kept_);
 }
 
 void CurveVertexRemoval::follow_moves(int field, int component, int column) {

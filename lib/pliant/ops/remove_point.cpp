@@ -121,7 +121,7 @@ Refusal remove_degree_three(Mesh& mesh, PointId v, const RefitOptions& options) 
   } else {
     const std::span<const PointId> free{inner.data(), at(interior_size(mesh.degree()))};
     if (!patch.fit_geometry(mesh, now, free)) return Refusal::would_invert;
-    patch.fit_fields(mesh, now, free, options);
+    if (!patch.fit_fields(mesh, now, free, options)) return Refusal::loses_integral;
   }
   transaction.commit();
   return Refusal::done;

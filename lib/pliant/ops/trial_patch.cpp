@@ -130,7 +130,7 @@ Refusal TrialPatch::apply(Mesh& mesh, const RefitOptions& options, bool must_be_
   for (const PointId p : moved) mesh.set_point(p, point(p));
   const bool is_valid = all_valid(mesh, elements_);
   if (must_be_valid && !is_valid) return Refusal::would_invert;
-  patch.fit_fields(mesh, elements_, moved, options, was_valid && is_valid);
+  if (!patch.fit_fields(mesh, elements_, moved, options, was_valid && is_valid)) return Refusal::loses_integral;
   transaction.commit();
   return Refusal::done;
 }
