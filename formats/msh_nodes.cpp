@@ -14,6 +14,7 @@ class NodeSink {
  public:
   NodeSink(const MshCursor& in, MshFile& file, std::uint64_t count)
       : in_(in), file_(file), before_(file.nodes.size()), wanted_(count) {
+    // No test has so many: the file would have tens of gigabytes.
     if (count > static_cast<std::uint64_t>(std::numeric_limits<PointId>::max()) - before_)
       in.fail(std::to_string(before_ + count) + " nodes are more than can be numbered");
     file.nodes.reserve(before_ + static_cast<std::size_t>(count));

@@ -34,7 +34,7 @@ if has_tool advect; then
   refuses 2 '--vx: ' "${to[@]}" --vx 'x +' --vy 0 disk.json
   refuses 2 '--vx and --vy go together' "${to[@]}" --vx 0 disk.json
   refuses 2 'exactly one of --vx with --vy, --flow and --velocity-field is wanted' "${to[@]}" disk.json
-  refuses 3 '/fields: there is no field "w"' "${to[@]}" --velocity-field w disk.json
+  refuses 3 '/fields: there is no field "w"; there is "u"' "${to[@]}" --velocity-field w disk.json
   refuses 3 '/fields/0/components: a velocity has 2 components, not 1' "${to[@]}" --velocity-field u disk.json
   if has_tool bspline2mesh; then
     sample_boundary annulus 2 >annulus.json
@@ -69,9 +69,37 @@ if has_tool import-svg; then
   refuses 2 "--tolerance: '2' is not between 1e-12 and 1" import-svg --tolerance 2 drawing.svg
 fi
 refuses 5 'no-such-folder/report.json' passthrough --report no-such-folder/report.json disk.json
+if [ -w /dev/full ]; then
+  run 5 passthrough --report /dev/full disk.json
+  says '/dev/full: '
+fi
 if has_tool smoothcurves && smoothcurves --help | grep -q -- --global; then
   for option in --split '--max-sweeps 3' '--measure control'; do
     refuses 2 "${option%% *} does not go with --global: it is for smoothing edge by edge" smoothcurves --global $option disk.json
   done
+  refuses 2 '--good must be at most 1' smoothcurves --global --good 2 disk.json
+fi
+
+# Far from size 1 a document is worked on in another unit, which is said where lengths are.
+python3 - <<'PYTHON'
+import json
+
+mesh = json.load(open("disk.json"))
+for place in mesh, mesh["boundary"], *mesh["boundary"]["curves"]:
+    for name in "points", "vertices":
+        if name in place:
+            place[name] = [2.0**400 * x for x in place[name]]
+json.dump(mesh, open("huge.json", "w"))
+mesh["points"][2 * mesh["constrained_edges"][0]["points"][0]] *= 1.5
+json.dump(mesh, open("moved.json", "w"))
+PYTHON
+if has_tool flipdelaunay; then
+  refuses 3 'has it (M4) (places and lengths are given in units of 2^401) (column ' flipdelaunay moved.json
+fi
+if has_tool advect; then
+  refuses 3 '/fields: there is no field "w"; there is "u" (places and lengths are given in units of 2^401)' \
+    advect --dt 0.1 --velocity-field w huge.json
+  refuses 4 'no step was taken: the velocity is not finite on curve 0 ("cell") (places and lengths are given in units of 2^401)' \
+    advect --dt 1e200 --vx 'x*y' --vy 'x*x' huge.json
 fi
 finish
