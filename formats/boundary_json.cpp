@@ -1,10 +1,10 @@
 #include "formats/boundary_json.h"  // formats/boundary_json.cpp: the boundary document, formats/boundary.md
 
-#include <algorithm>
 #include <optional>
 #include <string>
 
 #include "formats/mesh_json.h"
+#include "formats/presence.h"
 #include "formats/recognize.h"
 
 namespace pliant {
@@ -81,10 +81,12 @@ Curve read_curve(JsonReader& in) {
     return true;
   });
   seen.require({"name", "degree", "closed", "knots", "points"}, curve.extra);
+  seen.doubt({"start", "end", "left", "right", "removal_error"}, curve.extra);
   const bool has_ends = curve.start != no_vertex || curve.end != no_vertex;
   if (spline.closed && has_ends) in.fail("a closed curve has no ends: start and end should be null");
   if (!spline.closed && (curve.start == no_vertex || curve.end == no_vertex))
-    in.fail("an open curve should name the vertices start and end");
+    in.fail("an open curve should name the vertices start and end" +
+            Presence::suggest(curve.start == no_vertex ? "start" : "end", curve.extra));
   curve.spline = spline.make(in, curve.name);
   return curve;
 }
@@ -139,21 +141,6 @@ void write_curve(JsonWriter& out, const Curve& curve) {
 
 }  // namespace
 
-bool Presence::has(std::string_view member) const {
-  return std::find(seen_.begin(), seen_.end(), member) != seen_.end();
-}
-
-void Presence::require(std::initializer_list<const char*> members, const ExtraMembers& unknown) const {
-  for (const char* member : members) {
-    if (has(member)) continue;
-    std::vector<std::string> names;
-    for (const auto& [name, value] : unknown) names.push_back(name);
-    const std::string similar = nearest_word(member, names);
-    in_.fail(std::string("lacks the member \"") + member + "\"" +
-             (similar.empty() ? "" : "; is \"" + similar + "\" meant to be it?"));
-  }
-}
-
 void read_format(JsonReader& in, std::string_view format) {
   const std::string found = in.string();
   if (found == format) return;
@@ -188,6 +175,7 @@ BoundaryComplex read_boundary_object(JsonReader& in, bool alone) {
   });
   if (alone) seen.require({"format", "version"}, boundary.extra);
   seen.require({"vertices", "faces", "curves"}, boundary.extra);
+  seen.doubt({"cusps"}, boundary.extra);
   check_indices(in, boundary);
   return boundary;
 }
@@ -211,10 +199,11 @@ void write_boundary_object(JsonWriter& out, const BoundaryComplex& boundary, boo
   out.end_object();
 }
 
-BoundaryComplex read_boundary(std::string_view json) {
+BoundaryComplex read_boundary(std::string_view json, std::vector<Doubt>* doubts) {
   JsonReader in(json);
   BoundaryComplex boundary = read_boundary_object(in, true);
   in.finish();
+  if (doubts != nullptr) *doubts = in.doubts();
   return boundary;
 }
 

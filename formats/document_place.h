@@ -9,6 +9,12 @@ struct DocumentPlace {
   long line = 1, column = 1;
 };
 
+/// A member that a document may have, but that is probably not what was meant.
+struct Doubt {
+  std::string pointer, text;
+  long more = 0;  ///< others of this kind
+};
+
 /// "TEXT (column 12)": messages begin with the line, for editors, and end with the column.
 std::string with_column(const std::string& text, const DocumentPlace& place);
 

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "formats/boundary_json.h"
+#include "formats/presence.h"
 #include "pliant/geometry/net_layout.h"
 #include "pliant/mesh/check_mesh.h"
 
@@ -54,34 +55,39 @@ Field read_field(JsonReader& in) {
     return true;
   });
   seen.require({"name", "values"}, field.extra);
-  if (field.by_face != seen.has("places"))
-    in.fail(field.by_face ? "a field by face needs \"places\"" : "\"places\" belong to fields by face only");
+  seen.doubt({"components", "by_face", "places"}, field.extra);
+  if (field.by_face && !seen.has("places"))
+    in.fail("a field by face needs \"places\"" + Presence::suggest("places", field.extra));
+  if (!field.by_face && seen.has("places"))
+    in.fail("\"places\" belong to fields by face only" +
+            (seen.has("by_face") ? "" : Presence::suggest("by_face", field.extra)));
   return field;
 }
 
 Criteria read_criteria(JsonReader& in) {
   Criteria criteria;
+  Presence seen(in);
   in.object(criteria.extra, [&](std::string_view name) {
-    if (name == "min_angle") {
+    if (seen.is(name, "min_angle")) {
       criteria.min_angle = in.number();
       if (!(*criteria.min_angle >= 0 && *criteria.min_angle < 60)) in.fail("should be from 0 to below 60 degrees");
-    } else if (name == "max_area") {
+    } else if (seen.is(name, "max_area")) {
       criteria.max_area = read_positive(in);
-    } else if (name == "face_area") {
+    } else if (seen.is(name, "face_area")) {
       ExtraMembers unused;
       in.object(unused, [&](std::string_view face) {
         criteria.face_area.emplace_back(std::string(face), read_positive(in));
         return true;
       });
-    } else if (name == "size") {
+    } else if (seen.is(name, "size")) {
       criteria.size = in.string();
-    } else if (name == "size_field") {
+    } else if (seen.is(name, "size_field")) {
       criteria.size_field = in.string();
-    } else if (name == "max_turning") {
+    } else if (seen.is(name, "max_turning")) {
       criteria.max_turning = read_positive(in);
-    } else if (name == "min_size") {
+    } else if (seen.is(name, "min_size")) {
       criteria.min_size = read_positive(in);
-    } else if (name == "thin") {
+    } else if (seen.is(name, "thin")) {
       const std::string thin = in.string();
       if (thin != "keep" && thin != "refine") in.fail("expected \"keep\" or \"refine\"");
       criteria.keeps_thin = thin == "keep";
@@ -90,6 +96,8 @@ Criteria read_criteria(JsonReader& in) {
     }
     return true;
   });
+  seen.doubt_all({"min_angle", "max_area", "face_area", "size", "size_field", "max_turning", "min_size", "thin"},
+                 criteria.extra, "is kept, but no criterion: nothing goes by it");
   return criteria;
 }
 
@@ -129,6 +137,7 @@ MeshData read_mesh_object(JsonReader& in) {
   seen.require(
       {"format", "version", "degree", "points", "triangles", "triangle_faces", "constrained_edges", "boundary"},
       data.extra);
+  seen.doubt({"time", "fields", "criteria"}, data.extra);
   return data;
 }
 
@@ -166,10 +175,11 @@ void write_criteria(JsonWriter& out, const Criteria& criteria) {
 
 }  // namespace
 
-MeshData read_mesh(std::string_view json) {
+MeshData read_mesh(std::string_view json, std::vector<Doubt>* doubts) {
   JsonReader in(json);
   MeshData data = read_mesh_object(in);
   in.finish();
+  if (doubts != nullptr) *doubts = in.doubts();
   const std::vector<Fault> faults = check_arrays(data);
   if (!faults.empty()) throw InputError(faults.front().place, faults.front().text);
   return data;

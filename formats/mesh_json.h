@@ -3,7 +3,9 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <vector>
 
+#include "formats/document_place.h"
 #include "pliant/boundary/boundary_complex.h"
 #include "pliant/boundary/fault.h"
 #include "pliant/mesh/mesh_data.h"
@@ -12,8 +14,9 @@ namespace pliant {
 
 /// Reads one mesh document. Checks the grammar of all of it, the types, that numbers are finite, and check_arrays.
 /// Throws      InputError with a JSON pointer (or line and column of the text where it is no JSON)
-MeshData read_mesh(std::string_view json);
-BoundaryComplex read_boundary(std::string_view json);
+/// Ensures     `doubts` holds the unknown members that look like missing ones, each kind once, few kinds
+MeshData read_mesh(std::string_view json, std::vector<Doubt>* doubts = nullptr);
+BoundaryComplex read_boundary(std::string_view json, std::vector<Doubt>* doubts = nullptr);
 
 /// Appends the document, one line with its newline, numbers in shortest round-trip form. Byte-exact: what was written
 /// and is read and written again is the same.

@@ -34,7 +34,6 @@ class Import {
       take_nets(file_, mesh());
     if (options_.orient) turned_ = orient_triangles(mesh());
     const EdgeFindings findings = pair_edges(mesh(), !is_mixed);
-    require_finite();
     warn_of_clockwise(findings);
     warn(name_double_nodes(file_, mesh(), findings.open));
     drop_unused(findings.uses);
@@ -183,14 +182,6 @@ class Import {
         throw InputError("node " + std::to_string(file_.tags.tag_of(p)),
                          "has z = " + std::to_string(file_.z[at(p)]) + " where the first triangle has z = " +
                              std::to_string(first) + ": only meshes in a plane of constant z are read");
-  }
-
-  void require_finite() {
-    for (std::size_t p = 0; p < mesh().points.size(); ++p)
-      if (!is_finite(mesh().points[p]))
-        throw InputError(
-            p < file_.tags.size() ? "node " + std::to_string(file_.tags.tag_of(static_cast<PointId>(p))) : "",
-            "its control point is not finite: the triangles share nodes that they should not");
   }
 
   void warn_of_clockwise(const EdgeFindings& findings) {

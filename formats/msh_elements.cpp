@@ -16,7 +16,7 @@ struct Block {
 /// Takes the elements of a file one by one.
 class ElementSink {
  public:
-  ElementSink(const MshCursor& in, MshFile& file) : in_(in), file_(file) {}
+  ElementSink(const MshCursor& in, MshFile& file) : in_(in), file_(file), triangles_(file.triangle_tags.size()) {}
 
   /// Is it one of the types that a mesh is made of?
   static bool is_read(const MshElementType& of) { return of.order > 0; }
@@ -46,7 +46,7 @@ class ElementSink {
  private:
   const MshCursor& in_;
   MshFile& file_;
-  std::uint64_t triangles_ = 0;
+  std::uint64_t triangles_;  ///< of this section and those before it
 };
 
 /// Reads elements whose tag stands at `at` and whose nodes follow `behind` bytes later, `Tag`s all of them.

@@ -40,7 +40,7 @@ class MshNodeTags {
   /// The next node has this tag.
   void add(std::uint64_t tag) { tags_.add(tag); }
   void add(std::uint64_t tag, std::size_t count) { tags_.add(tag, count); }
-  /// All are there. The tag that two nodes have, if any.
+  /// All are there, or all of this section. The tag that two nodes have, if any.
   const std::uint64_t* prepare();
   std::size_t size() const { return tags_.size(); }
   const TagRuns& all() const { return tags_; }

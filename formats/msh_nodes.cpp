@@ -12,10 +12,12 @@ constexpr std::uint64_t largest_tag = std::uint64_t{1} << 62;
 /// Takes the nodes of a file one by one.
 class NodeSink {
  public:
-  NodeSink(const MshCursor& in, MshFile& file, std::uint64_t count) : in_(in), file_(file), wanted_(count) {
-    if (count > static_cast<std::uint64_t>(std::numeric_limits<PointId>::max()))
-      in.fail(std::to_string(count) + " nodes are more than can be numbered");
-    file.nodes.reserve(static_cast<std::size_t>(count));
+  NodeSink(const MshCursor& in, MshFile& file, std::uint64_t count)
+      : in_(in), file_(file), before_(file.nodes.size()), wanted_(count) {
+    // No test has so many: the file would have tens of gigabytes.
+    if (count > static_cast<std::uint64_t>(std::numeric_limits<PointId>::max()) - before_)
+      in.fail(std::to_string(before_ + count) + " nodes are more than can be numbered");
+    file.nodes.reserve(before_ + static_cast<std::size_t>(count));
   }
 
   void tag(std::uint64_t tag, const char* where) {
@@ -33,28 +35,32 @@ class NodeSink {
   }
   /// Requires room for `count` more.
   void block(std::uint64_t count) {
-    if (count > wanted_ - file_.nodes.size())
-      in_.fail("the section announces " + std::to_string(wanted_) + " nodes, but its blocks hold more: " +
-               std::to_string(file_.nodes.size()) + " and then " + std::to_string(count));
+    if (count > wanted_ - taken())
+      in_.fail("the section announces " + std::to_string(wanted_) +
+               " nodes, but its blocks hold more: " + std::to_string(taken()) + " and then " + std::to_string(count));
   }
   void finish() {
-    if (file_.nodes.size() != wanted_)
+    if (taken() != wanted_)
       in_.fail("the section announces " + std::to_string(wanted_) + " nodes, but its blocks hold " +
-               std::to_string(file_.nodes.size()));
+               std::to_string(taken()));
     if (const std::uint64_t* twice = file_.tags.prepare())
-      in_.fail("the section $Nodes, which ends here, has two nodes of tag " + std::to_string(*twice));
+      in_.fail("the section $Nodes, which ends here, has two nodes of tag " + std::to_string(*twice) +
+               (before_ > 0 ? ", itself or with an earlier section" : ""));
   }
 
  private:
+  /// Nodes of this section.
+  std::uint64_t taken() const { return file_.nodes.size() - before_; }
   void keep_z(double z) {
     if (file_.z.empty()) {
-      file_.z.reserve(static_cast<std::size_t>(wanted_));
+      file_.z.reserve(before_ + static_cast<std::size_t>(wanted_));
       file_.z.assign(file_.nodes.size() - 1, file_.plane);
     }
     file_.z.push_back(z);
   }
   const MshCursor& in_;
   MshFile& file_;
+  std::size_t before_;  ///< nodes of earlier sections
   std::uint64_t wanted_;
 };
 

@@ -54,11 +54,12 @@ class SectionReader {
 
   bool has(std::string_view name) const { return std::find(seen_.begin(), seen_.end(), name) != seen_.end(); }
 
-  /// What may come once, and what must have come before it.
+  /// What is read, in turn where it comes more than once; and what must have come before it.
   void begin(std::string_view name, const char* start, std::string_view needed = {}) {
     const std::string text(name);
     if (version_ == 0) in_.fail_at(start, "expected " + std::string(msh_magic) + " before $" + text);
-    if (has(name)) in_.fail_at(start, "a second section $" + text + ": only files with one are read");
+    if (std::count(seen_.begin(), seen_.end(), name) == most_of_a_kind)
+      in_.fail_at(start, "more than " + std::to_string(most_of_a_kind) + " sections $" + text + " are not read");
     if (!needed.empty() && !has(needed))
       in_.fail_at(start, "expected the section $" + std::string(needed) + " before $" + text);
     seen_.push_back(name);
@@ -184,8 +185,9 @@ class SectionReader {
 
   MshCursor in_;
   MshFile file_;
-  int version_ = 0;                     ///< 0: not known yet; 1, 20, 40, 41
-  std::vector<std::string_view> seen_;  ///< sections that may come once
+  static constexpr int most_of_a_kind = 64;  // after each $Nodes all tags are sorted
+  int version_ = 0;                          ///< 0: not known yet; 1, 20, 40, 41
+  std::vector<std::string_view> seen_;       ///< sections that were read
 };
 
 }  // namespace

@@ -122,6 +122,8 @@ const std::uint64_t* MshNodeTags::prepare() {
   if (runs.empty()) return nullptr;
   lowest_ = runs.front().tag;
   if (is_one_run_) return nullptr;
+  ranges_.clear();
+  table_.clear();
   ranges_.reserve(runs.size());
   for (std::size_t k = 0; k < runs.size(); ++k) {
     const std::size_t end = k + 1 < runs.size() ? runs[k + 1].first : tags_.size();

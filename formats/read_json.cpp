@@ -45,6 +45,21 @@ void JsonReader::fail(const std::string& text, const std::string& below) const {
   throw DocumentError(pointer, text, place);
 }
 
+void JsonReader::doubt(std::string_view member, const std::string& text) {
+  constexpr std::size_t most = 20;
+  std::string place;
+  append_escaped(place, member);
+  for (char& c : place)
+    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F) c = '?';  // a terminal would act on it
+  const auto is_same = [&](const Doubt& old) { return old.text == text && old.pointer.ends_with("/" + place); };
+  if (const auto old = std::find_if(doubts_.begin(), doubts_.end(), is_same); old != doubts_.end())
+    ++old->more;
+  else if (doubts_.size() < most)
+    doubts_.push_back({pointer() + "/" + place, text, 0});
+  else
+    ++doubts_.back().more;
+}
+
 void JsonReader::fail_at(const char* where, const std::string& text) const {
   throw DocumentError(pointer(), text, place_of_byte({begin_, end_}, static_cast<std::size_t>(where - begin_)));
 }

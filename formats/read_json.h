@@ -62,6 +62,9 @@ class JsonReader {
 
   /// Throws a DocumentError at the value now being read, or below it ("/knots/7").
   [[noreturn]] void fail(const std::string& text, const std::string& below = {}) const;
+  /// Notes that this member of the value last read is probably not what was meant.
+  void doubt(std::string_view member, const std::string& text);
+  const std::vector<Doubt>& doubts() const { return doubts_; }
 
  private:
   struct Step {
@@ -113,6 +116,7 @@ class JsonReader {
   const char* end_;
   const char* at_;
   std::vector<Step> path_;
+  std::vector<Doubt> doubts_;
   std::deque<std::string> unescaped_;  // names with escapes, which have no place in the text
 };
 

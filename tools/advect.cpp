@@ -89,7 +89,12 @@ struct VelocityOptions {
   /// The index of the field that --velocity-field names.
   int find(const Mesh& mesh) const {
     const auto named = std::ranges::find(mesh.fields(), field, &Field::name);
-    if (named == mesh.fields().end()) throw InputError("/fields", "there is no field \"" + field + "\"");
+    if (named == mesh.fields().end()) {
+      std::string others;
+      for (const Field& other : mesh.fields())
+        others += (others.empty() ? "; there is \"" : ", \"") + other.name + "\"";
+      throw InputError("/fields", "there is no field \"" + field + "\"" + others);
+    }
     const std::string place = "/fields/" + std::to_string(named - mesh.fields().begin());
     if (named->components != 2)
       throw InputError(place + "/components", "a velocity has 2 components, not " + std::to_string(named->components));

@@ -11,6 +11,7 @@
 #include <optional>
 #include <system_error>
 
+#include "doubts.h"
 #include "formats/mesh_json.h"
 #include "formats/msh.h"
 #include "formats/read_json.h"
@@ -35,22 +36,6 @@ class Placed : public std::runtime_error {
 
 constexpr std::string_view out_of_memory =
     "this needs more memory than there is; ask for fewer or larger elements (refine and bspline2mesh: --max-triangles)";
-
-std::string where(const Frame& frame, long line) {
-  return frame.source + ":" + std::to_string(line) + ": frame " + std::to_string(frame.index) + ": ";
-}
-
-std::string at_pointer(const std::string& pointer, const std::string& text) {
-  return pointer.empty() ? text : pointer + ": " + text;
-}
-
-/// A fault that a check found after reading, with the line and column of what it blames.
-std::string describe_fault(const Frame& frame, std::string_view document, const std::string& pointer,
-                           const std::string& text) {
-  if (pointer.empty()) return where(frame, frame.line) + text;
-  const DocumentPlace place = find_place(document, pointer);
-  return where(frame, frame.line + place.line - 1) + at_pointer(pointer, with_column(text, place));
-}
 
 /// Runs `work` on one document and adds the document's place to what it throws.
 void with_place(const Frame& frame, std::string_view document, const std::function<void()>& work) {
@@ -235,8 +220,10 @@ void say_written(const ToolOptions& options, std::size_t meshes, std::size_t tri
 }
 
 void for_each_mesh(const ToolOptions& options, const std::function<void(MeshData&&, const Frame&)>& use) {
+  Doubts doubts(options);
   const auto use_document = [&](std::string_view text, const Frame& frame) {
-    MeshData data = read_mesh(text);
+    MeshData data = read_mesh(text, doubts.found());
+    doubts.say_new(text, frame);
     require_document_size(data);
     use(std::move(data), frame);
   };
@@ -259,8 +246,12 @@ void for_msh(const ToolOptions& options, const MshOptions& msh,
 }
 
 void for_each_boundary(const ToolOptions& options, const std::function<void(BoundaryComplex&&, const Frame&)>& use) {
-  for_each_document(options, FileKind::boundary,
-                    [&](std::string_view text, const Frame& frame) { use(read_boundary(text), frame); });
+  Doubts doubts(options);
+  for_each_document(options, FileKind::boundary, [&](std::string_view text, const Frame& frame) {
+    BoundaryComplex boundary = read_boundary(text, doubts.found());
+    doubts.say_new(text, frame);
+    use(std::move(boundary), frame);
+  });
 }
 
 std::string explain_unit(double unit) {
@@ -317,10 +308,12 @@ int run_filter(CLI::App& app, int argc, char** argv, const std::function<PassRep
     ProgressLine line(options);
     Stopwatch watch;
     std::string text;
+    Doubts doubts(options);
     for_each_document(options, FileKind::mesh, [&](std::string_view document, const Frame& frame) {
       watch.lap();
       line.stage("read");
-      MeshData data = read_mesh(document);
+      MeshData data = read_mesh(document, doubts.found());
+      doubts.say_new(document, frame);
       normalize_unit(data);
       const double unit = data.boundary.unit;
       std::vector<std::pair<std::string, double>> seconds{{"read", watch.lap()}};

@@ -166,9 +166,10 @@ Affine transform_of(const Element& element, const Declarations& declared, const 
   } else {
     return map;
   }
+  // It says where the origin is, also without transform-origin.
+  if (is_set(Property::transform_box) && !is_same_word(own(declared, Property::transform_box), "view-box"))
+    notices.add("transform-box is taken for view-box", element);
   if (!is_set(Property::transform_origin)) return map;
-  const std::string_view box = own(declared, Property::transform_box);
-  if (!box.empty() && !is_same_word(box, "view-box")) notices.add("transform-box is taken for view-box", element);
   try {
     const Point origin = origin_of(own(declared, Property::transform_origin), viewport);
     return origin.x == 0 && origin.y == 0 ? map : about(map, origin);

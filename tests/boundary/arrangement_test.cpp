@@ -321,6 +321,14 @@ TEST_CASE("loops that do not close are named", "[boundary]") {
   CHECK_THAT(first_text(a.faults), Catch::Contains("'open' do not close at (0, 0)"));
 }
 
+TEST_CASE("curves of sizes whose products are no numbers are refused", "[boundary]") {
+  for (const double size : {1e-101, 1e101}) {
+    const Arrangement a = arrange(std::vector<FilledFace>{
+        filled("bow", {bezier({{0, 0}, {size, 0}, {size, size}}), bezier({{size, size}, {0, 0}})})});
+    CHECK_THAT(first_text(a.faults), Catch::Contains("the curves' size is not between 1e-100 and 1e100"));
+  }
+}
+
 TEST_CASE("sides that cross next to their tip part there", "[boundary]") {
   // y = x^2 - slope x crosses y = 0 at x = slope, and what lies between them there has an area of slope^3 / 6.
   const double slope = GENERATE(1, 3) * std::pow(10.0, GENERATE(range(-11, -2)));

@@ -16,4 +16,27 @@ export-gltf --color shape --quantize series.jsonl -o quantized.glb
 export-gltf --color face series.jsonl -o series.gltf
 head -n 2 series.jsonl | export-gltf >two.glb
 sample_mesh tangled 2 | export-gltf -o tangled.gltf
+# Far away, and of extreme size: a node has the translation and the scale that single precision cannot.
+place() {  # SCALE OFFSET
+  python3 -c '
+import json
+import sys
+
+scale, offset = map(float, sys.argv[1:])
+for line in sys.stdin:
+    mesh = json.loads(line)
+    for object in mesh, mesh["boundary"], *mesh["boundary"]["curves"]:
+        for name in "points", "vertices":
+            if name in object:
+                object[name] = [x * scale + offset for x in object[name]]
+    print(json.dumps(mesh))' "$@"
+}
+for degree in 1 2 4; do
+  for at in '1 5e6' '1 -3e11' '1e-150 0' '1e150 0' '1e-30 2e-29'; do
+    sample_mesh three $degree | place $at | export-gltf --color field:u -o "$degree-${at/ /-at-}.glb"
+    grep -aqE '"(translation|scale)"' "$degree-${at/ /-at-}.glb" || { echo "no node places $at" >&2; exit 1; }
+  done
+done
+place 1e9 -5e15 <series.jsonl | export-gltf --color shape -o far-series.glb
+{ sample_mesh three 2; sample_mesh three 2 1 | place 1 4e7; } | export-gltf -o far-apart.gltf
 "$NODE" "$SOURCE/tests/pipelines/gltf_validate.mjs" ./*.glb ./*.gltf

@@ -184,3 +184,32 @@ TEST_CASE("whatever is done to a file of an old version, it is a mesh or bad inp
   CHECK(refused > 300);
   CHECK(refused < 3000);
 }
+
+TEST_CASE("sections of MSH files that come again are read one after the other", "[msh]") {
+  // Gmsh 4.8 does so, too, with 4.1, but for the nodes of the last section only.
+  const std::string tail_nodes = "$Nodes\n2\n8 1 1 0\n9 2 0 0\n$EndNodes\n",
+                    tail_elements = "$Elements\n2\n5 2 2 1 1 2 8 3\n6 2 2 4 1 2 9 8\n$EndElements\n";
+  const std::string head =
+      "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n1\n2 1 \"a\"\n$EndPhysicalNames\n"
+      "$Nodes\n3\n1 0 0 0\n2 1 0 0\n3 0 1 0\n$EndNodes\n";
+  const std::string elements = "$Elements\n1\n1 2 2 1 1 1 2 3\n$EndElements\n",
+                    names = "$PhysicalNames\n1\n2 4 \"b\"\n$EndPhysicalNames\n";
+  const std::string at_once =
+      "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n2\n2 1 \"a\"\n2 4 \"b\"\n$EndPhysicalNames\n"
+      "$Nodes\n5\n1 0 0 0\n2 1 0 0\n3 0 1 0\n8 1 1 0\n9 2 0 0\n$EndNodes\n"
+      "$Elements\n3\n1 2 2 1 1 1 2 3\n5 2 2 1 1 2 8 3\n6 2 2 4 1 2 9 8\n$EndElements\n";
+  const std::string expected = as_json(at_once);
+  CHECK(as_json(head + elements + tail_nodes + tail_elements + names) == expected);
+  CHECK(as_json(head + tail_nodes + elements + names + tail_elements) == expected);
+  CHECK_THROWS_AS(read_msh(head + "$Elements\n1\n1 2 2 1 1 1 2 8\n$EndElements\n" + tail_nodes), InputError);
+  const MshImport import = read_msh(
+      "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Entities\n0 0 1 0\n1 0 0 0 1 1 0 1 7 0\n$EndEntities\n"
+      "$Nodes\n1 3 1 3\n2 1 0 3\n1\n2\n3\n0 0 0\n1 0 0\n0 1 0\n$EndNodes\n"
+      "$Elements\n1 1 1 1\n2 1 2 1\n1 1 2 3\n$EndElements\n"
+      "$Entities\n0 0 1 0\n2 0 0 0 1 1 0 1 8 0\n$EndEntities\n"
+      "$Nodes\n1 1 4 4\n2 2 0 1\n4\n1 1 0\n$EndNodes\n"
+      "$Elements\n1 1 2 2\n2 2 2 1\n2 2 4 3\n$EndElements\n");
+  REQUIRE(import.mesh.triangle_faces.size() == 2);
+  CHECK(import.mesh.boundary.faces[1].name == "physical surface 8");
+  CHECK(import.mesh.points.size() == 4);
+}

@@ -62,6 +62,12 @@ TEST_CASE("faults of other attributes name the attribute", "[svg]") {
   CHECK_THAT(complaint(svg("<g transform='scale(1'/>")), Catch::Contains("expected a number or )"));
   CHECK_THAT(complaint("<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 5'/>"),
              Catch::Contains("viewBox, offset"));
+  CHECK_THAT(complaint("<svg width='abc'/>"), Catch::Contains("svg: width, offset 0: expected a length, found 'abc'"));
+  CHECK_THAT(
+      complaint("<svg><svg viewBox='0 0 1 1'><rect width='1' height='1'/></svg></svg>"),
+      Catch::Contains("its width and height are parts of the drawing's, which has neither a viewBox nor a size"));
+  CHECK_THAT(complaint("<svg><rect width='1' height='1' transform='scale(2)' transform-origin='50% 3'/></svg>"),
+             Catch::Contains("transform-origin, offset 0: it is a part of the drawing's size, but the drawing has"));
   CHECK_THAT(complaint(svg("<path d='M0 0h1e99v1e99z' transform='scale(1e9)'/>")), Catch::Contains("beyond 1e60"));
 }
 
@@ -115,6 +121,10 @@ TEST_CASE("use that contains itself, or multiplies without end, is refused", "[s
   for (int k = 0; k < 1000; ++k)
     chain += "<use id='u" + std::to_string(k) + "' href='#u" + std::to_string(k + 1) + "'/>";
   CHECK_THAT(complaint(svg(chain + "<rect id='u1000' width='1' height='1'/>")), Catch::Contains("nested deeper than"));
+  chain.clear();
+  for (int k = 0; k < 1000; ++k)
+    chain += "<symbol id='s" + std::to_string(k) + "'><use href='#s" + std::to_string(k + 1) + "'/></symbol>";
+  CHECK_THAT(complaint(svg(chain + "<symbol id='s1000'/><use href='#s0'/>")), Catch::Contains("nested"));
 }
 
 TEST_CASE("shapes that cross, touch or lie over each other are refused with both names and the place", "[svg]") {

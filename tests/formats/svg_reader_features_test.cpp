@@ -1,5 +1,6 @@
 // tests/formats/svg_reader_features_test.cpp: each row of formats/svg_import.md is read, or named when it is met.
 #include <catch2/catch.hpp>
+#include <random>
 
 #include "formats/svg_import/paint.h"
 #include "formats/svg_reader.h"
@@ -279,4 +280,41 @@ TEST_CASE("a looser tolerance never takes more pieces, and a note tells what ano
   CHECK_THAT(import.notes[0], Catch::Contains("--degree 3 would take " + std::to_string(pieces(1e-6, 3).pieces)) &&
                                   Catch::EndsWith(" " + std::to_string(pieces(1e-4, 2).pieces)));
   CHECK(pieces(1e-6, 2).notes.empty());
+}
+
+TEST_CASE("a looser tolerance never takes more pieces of curves at random", "[svg][property]") {
+  const unsigned seed = GENERATE(range(0U, 20U));
+  CAPTURE(seed);
+  std::mt19937 random(seed);
+  const auto number = [&](int least, int most) {
+    return std::to_string(least + static_cast<int>(random() % static_cast<unsigned>(most - least + 1))) + " ";
+  };
+  std::string path = "M" + number(-99, 99) + number(-99, 99);
+  for (int k = 0; k < 6; ++k) {
+    if (random() % 3 == 0) {
+      path += "A" + number(1, 300) + number(1, 300) + number(0, 180) + number(0, 1) + number(0, 1);
+    } else {
+      path += "C";
+      for (int point = 0; point < 2; ++point) path += number(-199, 199) + number(-199, 199);
+    }
+    path += number(-99, 99) + number(-99, 99);
+  }
+  for (const int degree : {2, 3}) {
+    long last = 1'000'000;
+    for (double tolerance = 1e-8; tolerance <= 10; tolerance *= 1.7) {
+      SvgReadOptions options;
+      options.tolerance = tolerance;
+      options.degree = degree;
+      options.planar = true;
+      long count = last;
+      try {
+        count = read_svg("<svg><path fill-rule='evenodd' d='" + path + "z'/></svg>", options).pieces;
+      } catch (const InputError&) {  // so loose that nothing is left of the drawing
+        CHECK(tolerance > 0.01);
+      }
+      CAPTURE(tolerance, degree, path);
+      CHECK(count <= last);
+      last = count;
+    }
+  }
 }

@@ -98,6 +98,75 @@ line=$(grep -oE '^passthrough: bad.json:[0-9]+' err | head -n 1 | grep -oE '[0-9
 ((${line:-0} > 3)) || fail "a structural fault names its own line: $(cat err)"
 says '(column '
 
+# A member that nobody asked for is kept, and told where its name is near to one that is missing; of criteria always.
+cat >misspell.py <<'PYTHON'
+import json
+import sys
+
+mesh = json.load(open("disk.json"))
+mesh["fields"] = [{"name": "u", "values": [0] * (len(mesh["points"]) // 2), "Components": 1, "byface": False,
+                   "unit": "m"}]
+mesh["boundary"]["cusp"] = mesh["boundary"].pop("cusps")
+mesh["boundary"]["curves"][0]["removalError"] = mesh["boundary"]["curves"][0].pop("removal_error")
+mesh["criteria"] = {"max_arae": 1, "min_angle": 10, "min_angles": 2, "colour": 7}
+mesh["tiem"] = mesh.pop("time")
+mesh["names"] = {"time": 1}
+print(json.dumps(mesh, indent=1))
+PYTHON
+python3 misspell.py >bad.json
+run 0 passthrough bad.json
+for doubt in '/fields/0/Components: is kept, but not known; is "components" meant?' \
+  '/fields/0/byface: is kept, but not known; is "by_face" meant?' \
+  '/boundary/cusp: is kept, but not known; is "cusps" meant?' \
+  '/boundary/curves/0/removalError: is kept, but not known; is "removal_error" meant?' \
+  '/criteria/max_arae: is kept, but not known; is "max_area" meant?' \
+  '/criteria/min_angles: is kept, but no criterion: nothing goes by it' \
+  '/criteria/colour: is kept, but no criterion: nothing goes by it' \
+  '/tiem: is kept, but not known; is "time" meant?'; do
+  says ": frame 0: $doubt (column "
+done
+(($(wc -l <err) == 8)) || fail "these members and no other are told: $(cat err)"
+grep -q '"tiem":' out || fail 'what is told is kept all the same'
+line=$(grep -n '"max_arae"' bad.json | cut -d : -f 1)
+says "passthrough: bad.json:$line: frame 0: /criteria/max_arae"
+run 0 passthrough -q bad.json
+[ ! -s err ] || fail "-q silences warnings: $(cat err)"
+# Once a run, however many frames and curves have it.
+python3 - <<'PYTHON'
+import json
+mesh = json.load(open("bad.json"))
+for name in "fields", "criteria", "tiem":
+    del mesh[name]
+del mesh["boundary"]["cusp"]
+open("series.json", "w").write(3 * (json.dumps(mesh) + "\n"))
+mesh["boundary"]["curves"][0]["removal_eror"] = 0
+open("other.json", "w").write(json.dumps(mesh) + "\n")
+PYTHON
+run 0 passthrough series.json
+(($(wc -l <err) == 1)) || fail "one line for all frames: $(cat err)"
+run 0 passthrough other.json
+(($(wc -l <err) == 2)) || fail "one line for each name: $(cat err)"
+if has_tool bspline2mesh; then
+  sed 's/"start"/"Start"/' square.json >bad.json
+  run 3 bspline2mesh bad.json
+  says 'an open curve should name the vertices start and end; is "Start" meant to be it? (column 5)'
+  sed 's/"left"/"lefft"/' square.json >bad.json
+  run 3 bspline2mesh bad.json
+  says 'bspline2mesh: bad.json:9: frame 0: /curves/0/lefft: is kept, but not known; is "left" meant? (column 16)'
+  python3 - <<'PYTHON'
+import json
+boundary = json.load(open("square.json"))
+boundary["cupss"] = []
+boundary["faces"][0] |= {"names": [], "colour": "red"}
+boundary["curves"][0]["removal-error"] = 0
+json.dump(boundary, open("bad.json", "w"))
+PYTHON
+  run 0 bspline2mesh bad.json
+  says '/cupss: is kept, but not known; is "cusps" meant?'
+  says '/curves/0/removal-error: is kept, but not known; is "removal_error" meant?'
+  (($(grep -c 'is kept' err) == 2)) || fail "these members and no other are told: $(cat err)"
+fi
+
 # A report must not overwrite what is read or written.
 run 2 passthrough disk.json --report new.json -o ./new.json
 says "--report and -o name the same file, 'new.json'"

@@ -55,6 +55,10 @@ run 0 import-msh -q --report report.json --field u=x+y --field p@lower=t --time 
 grep -qF '"time":2.5' out || fail "the time is set"
 grep -qF '"name":"u","components":1' out || fail "a field is made"
 grep -qF '1 point (type 15) is left out' report.json || fail "the report says what was left out: $(cat report.json)"
+if has_tool qualityreport; then
+  run 0 qualityreport -v square.msh
+  says 'qualityreport: square.msh: 1 point (type 15) is left out'
+fi
 run 2 import-msh --field u= square.msh
 run 2 import-msh --time soon square.msh
 run 2 import-msh -q --field u@nowhere=1 square.msh

@@ -1,0 +1,331 @@
+// tests/formats/page_rows_test.cpp: each row of the tables of formats/svg_import.md and formats/msh.md has a case here.
+#include <catch2/catch.hpp>
+#include <fstream>
+#include <set>
+
+#include "formats/mesh_json.h"
+#include "formats/msh.h"
+#include "formats/msh_writer.h"
+#include "formats/svg_reader.h"
+#include "support/sample_meshes.h"
+
+using namespace pliant;
+
+namespace {
+
+/// A row by its first cell; what is read, and what must be found in what comes of it.
+struct Case {
+  std::string row, input, expected;
+};
+
+/// First cells of all rows of the page's tables, but for their heads.
+std::set<std::string> rows_of(const std::string& page) {
+  std::ifstream in(std::string(PLIANT_FORMAT_PAGES) + "/" + page);
+  REQUIRE(in);
+  std::set<std::string> rows;
+  bool is_body = false;
+  for (std::string line; std::getline(in, line);) {
+    if (!line.starts_with("|")) is_body = false;
+    if (is_body) rows.insert(line.substr(2, line.find(" |", 2) - 2));
+    if (line.starts_with("|--")) is_body = true;
+  }
+  return rows;
+}
+
+std::set<std::string> rows_with_a_case(const std::vector<Case>& cases) {
+  std::set<std::string> rows;
+  for (const Case& c : cases) rows.insert(c.row);
+  return rows;
+}
+
+std::string number(double value) {
+  char digits[32];
+  std::snprintf(digits, sizeof digits, "%.6g", value == 0 ? 0 : value);
+  return digits;
+}
+
+/// "a, b: 0 0 4 4" (faces, and their box with y downwards), then the warnings, counts of what is left out, or the
+/// error.
+std::string read_drawing(const std::string& content) {
+  try {
+    const SvgImport import = read_svg(
+        "<svg xmlns='http://www.w3.org/2000/svg' xmlns:xlink='http://www.w3.org/1999/xlink' viewBox='0 0 100 100'>" +
+        content + "</svg>");
+    std::string out;
+    for (const Face& face : import.boundary.faces) out += (out.empty() ? "" : ", ") + face.name;
+    const Box box = bounding_box(import.boundary);
+    out += ":";
+    for (const double x : {box.low.x, -box.high.y, box.high.x, -box.low.y}) out += " " + number(x);
+    out += ", degree " + std::to_string(import.boundary.curves.front().spline.degree()) + "\n";
+    for (const std::string& text : import.warnings) out += text + "\n";
+    if (import.unfilled + import.hidden > 0)
+      out += "unfilled " + std::to_string(import.unfilled) + ", hidden " + std::to_string(import.hidden);
+    return out;
+  } catch (const InputError& e) {
+    return (e.pointer().empty() ? "" : e.pointer() + ": ") + e.what();
+  }
+}
+
+std::string repeated(long times, const std::string& text) {
+  std::string out;
+  out.reserve(static_cast<std::size_t>(times) * text.size());
+  for (long k = 0; k < times; ++k) out += text;
+  return out;
+}
+
+/// A line of copies of a shape, ten times ten times ... as many.
+std::string copies(const std::string& shape, int tens) {
+  std::string out = "<defs><g id='u0'>" + shape + "</g>";
+  for (int k = 1; k <= tens; ++k)
+    out +=
+        "<g id='u" + std::to_string(k) + "'>" + repeated(10, "<use href='#u" + std::to_string(k - 1) + "'/>") + "</g>";
+  return out + "</defs><use href='#u" + std::to_string(tens) + "'/>";
+}
+
+/// A use of a use of ... a square.
+std::string chain_of_uses(int length) {
+  std::string out;
+  for (int k = 0; k < length; ++k)
+    out += "<use id='u" + std::to_string(k) + "' href='#u" + std::to_string(k + 1) + "'/>";
+  return out + "<rect id='u" + std::to_string(length) + "' width='1' height='1'/>";
+}
+
+const std::string end = "<rect id='b' x='9' width='1' height='1'/>";
+std::string square(const std::string& attributes) { return "<rect id='a' width='4' height='4' " + attributes + "/>"; }
+
+std::vector<Case> drawing_cases() {
+  const std::string basic = "`rect`, `circle`, `ellipse`, `polygon`, `polyline`", groups = "`g`, `a`, `switch`",
+                    viewports = "`svg`, `symbol`", opacity = "`fill-opacity`, `opacity`",
+                    shown = "`fill-rule`, `display`, `visibility`",
+                    lengths = "`x`, `y`, `width`, `height`, `cx`, `cy`, `r`, `rx`, `ry`, `d`";
+  return {
+      {"`path`", "<path id='p' d='M1 1 3 1L3 2H5V6h-2v-1l-2 0z'/>", "p: 1 1 5 6, degree 1"},
+      {"`path`", "<path id='p' d='M0 0Q2 4 4 0t4 0 0-4 q-4-2-8 4'/>", "p: 0 -6 10 4, degree 2"},
+      {"`path`", "<path id='p' d='m0 0c0 4 4 4 4 0s-4-4-4 0zm9 0C9 1 8 1 8 0S9-1 9 0'/>", "p: 0 -3 9 3, degree 2"},
+      {"`path`", "<path id='p' d='M.5.5a1 1 0 012 0A1 1 0 11.5.5z'/>", "p: 0.5 -0.5 2.5 1.5, degree 2"},
+      {"`path`", "<path d='M0 0h1v'/>", "d, offset"},
+      {basic, "<rect width='4' height='2'/>", "rect 1: 0 0 4 2, degree 1"},
+      {basic, "<rect width='4' height='2' rx='1'/>", "rect 1: 0 0 4 2, degree 2"},
+      {basic, "<circle cx='5' cy='5' r='2'/>", "circle 1: 3 3 7 7, degree 2"},
+      {basic, "<ellipse cx='5' cy='5' rx='2' ry='3'/>", "ellipse 1: 3 2 7 8, degree 2"},
+      {basic, "<polygon points='0,0 3,0 3,2'/>", "polygon 1: 0 0 3 2, degree 1"},
+      {basic, "<polyline points='0 0 3 0 3 2'/>", "polyline 1: 0 0 3 2, degree 1"},
+      {basic, "<line x2='9' y2='8'/>" + square(""), "a: 0 0 4 4"},
+      {groups, "<g><a>" + square("") + "</a></g>", "a: 0 0 4 4"},
+      {groups, "<switch><g systemLanguage='de'/>" + square("") + end + "</switch>", "a: 0 0 4 4"},
+      {viewports, "<svg x='9' width='8' height='8' viewBox='0 0 4 4'>" + square("") + "</svg>", "a: 9 0 17 8"},
+      {viewports, "<svg width='8' height='4' viewBox='0 0 4 4' preserveAspectRatio='xMaxYMid'>" + square("") + "</svg>",
+       "a: 4 0 8 4"},
+      {viewports, "<svg width='3' height='4'>" + square("") + "</svg>", "juts out of a nested viewport"},
+      {viewports, "<rect width='400' height='4'/>", "juts out of the page"},
+      {viewports,
+       "<symbol id='s' refX='1' viewBox='0 0 4 4'>" + square("") + "</symbol><use href='#s' width='4' height='4'/>",
+       "refX of a symbol moves nothing"},
+      {"`use`", "<defs>" + square("") + "</defs><use href='#a' x='3' y='2'/>", "a: 3 2 7 6"},
+      {"`use`", "<defs>" + square("") + "</defs><use xlink:href='#a'/>", "a: 0 0 4 4"},
+      {"`use`", "<symbol id='s' viewBox='0 0 4 4'>" + square("") + "</symbol><use href='#s' width='8' height='8'/>",
+       ": 0 0 8 8"},
+      {"`use`", square("") + "<use href='x.svg#a'/>", "other files are not read (use)"},
+      {"`style`",
+       "<style>rect{fill:none}.c{fill:red!important}#b{fill:none}</style>" + square("class='c' style='fill:none'") +
+           end,
+       "a: 0 0 4 4, degree 1\nunfilled 1, hidden 0"},
+      {"`style`", "<style media='print'>rect{fill:none}</style>" + square(""), "style sheets for"},
+      {"`title`", "<path id='path12' d='M0 0h1v1z'><title>wing</title></path>", "wing: 0 0 1 1"},
+      {"`transform`", square("transform='translate(9,1)scale(2)rotate(90)'"), "a: 1 1 9 9"},
+      {"`transform`", square("transform='matrix(1 0 0 2 3 4)'"), "a: 3 4 7 12"},
+      {"`transform`", square("transform='skewX(45)'"), "a: 0 0 8 4"},
+      {"`transform`", square("transform='skewY(45)'"), "a: 0 0 4 8"},
+      {"`transform`", square("style='transform:translate(1px,2px)rotate(0.25turn)'"), "a: -3 2 1 6"},
+      {"`transform`", square("style='transform:rotate(100grad)'"), "a: -4 0 0 4"},
+      {"`transform`", square("style='transform:rotate(90deg)'"), "a: -4 0 0 4"},
+      {"`transform`", square("style='transform:rotate(1.5707963267948966rad)'"), "a: -4 0"},
+      {"`transform`", square("style='transform:rotateY(3deg)'"), "a transform in a style is not read"},
+      {"`transform-origin`", square("transform='scale(2)' transform-origin='4 4'"), "a: -4 -4 4 4"},
+      {"`transform-origin`", square("transform='scale(2)' transform-origin='50% 100%'"), "a: -50 -100 -42 -92"},
+      {"`transform-origin`", square("transform='scale(2)' transform-origin='right top'"), "a: -100 0 -92 8"},
+      {"`transform-origin`", square("transform='scale(2)' style='transform-box:fill-box'"),
+       "transform-box is taken for view-box"},
+      {"`fill`", square("fill='none'") + end, "unfilled 1"},
+      {"`fill`", square("fill='rgb(1 2 3 / 0)'") + end, "unfilled 1"},
+      {"`fill`", square("fill='currentColor' color='transparent'") + end, "unfilled 1"},
+      {"`fill`", "<defs>" + square("fill='context-fill'") + "</defs><use href='#a' fill='none'/>" + end, "unfilled 1"},
+      {"`fill`", "<defs>" + square("fill='context-stroke'") + "</defs><use href='#a'/>" + end, "unfilled 1"},
+      {"`fill`", "<linearGradient id='g'/>" + square("fill='url(#g)'"), "a gradient is taken for a colour"},
+      {"`fill`", "<pattern id='g'/>" + square("fill='url(#g)'"), "a pattern is taken for a colour"},
+      {"`fill`", square("fill='var(--x)'"), "a paint that is not understood is passed over"},
+      {opacity, square("fill-opacity='0'") + end, "unfilled 1"},
+      {opacity, square("opacity='0%'") + end, "unfilled 1"},
+      {opacity, square("opacity='1%'"), "a: 0 0 4 4"},
+      {shown,
+       "<path id='a' fill-rule='evenodd' d='M0 0h9v9h-9zM3 3h3v3h-3z'/><rect id='b' x='4' y='4' width='1' height='1'/>",
+       "a, b: 0 0 9 9"},
+      {shown, "<path id='a' d='M0 0h9v9h-9zM3 3h3v3h-3z'/><rect id='b' x='4' y='4' width='1' height='1'/>",
+       "shapes cross, touch or lie over each other"},
+      {shown, square("display='none'") + end, "hidden 1"},
+      {shown, square("visibility='hidden'") + end, "hidden 1"},
+      {lengths, "<rect style='x:1px;y:2px;width:3px;height:4px;rx:0px;ry:0px'/>", "rect 1: 1 2 4 6"},
+      {lengths, "<circle r='9' style='cx:5px;cy:5px;r:2px'/>", "circle 1: 3 3 7 7"},
+      {lengths, "<path id='a' d='M0 0h1v1z' style='d:path(\"M0 0h7v7z\")'/>", "a: 0 0 7 7"},
+      {lengths, square("style='width:3'"), "a length without a unit in a style is passed over (width)"},
+      {"elements", repeated(257, "<g>") + repeated(257, "</g>"), "elements are nested deeper than 256"},
+      {"elements shown, each copy by `use` counted", copies(square(""), 6), "more than 1000000 elements"},
+      {"elements shown, each copy by `use` counted", chain_of_uses(500), "nested deeper than 400"},
+      {"segments of all outlines, each copy counted", copies("<path d='M0 0" + repeated(300, "h1v1") + "z'/>", 4),
+       "more than 2000000 segments"},
+      {"selectors of style sheets", "<style>" + repeated(2001, "a{r:1px}") + "</style>", "more than 2000 selectors"},
+      {"coordinates", square("transform='scale(1e60)'"), "a coordinate is beyond 1e60"},
+      {"coordinates", square("transform='scale(1e-61)'"), "the drawing is smaller than 1e-60"},
+  };
+}
+
+/// Faces, curves, points, then the warnings, or the error.
+std::string read_mesh_file(const std::string& bytes) {
+  try {
+    const MshImport import = read_msh(bytes);
+    std::string out;
+    for (const Face& face : import.mesh.boundary.faces) out += (out.empty() ? "" : ", ") + face.name;
+    for (const Curve& curve : import.mesh.boundary.curves) out += "; " + curve.name;
+    out += ":";
+    for (const Point& p : import.mesh.points) out += " " + number(p.x) + " " + number(p.y);
+    out += "\n";
+    for (const std::string& text : import.warnings) out += text + "\n";
+    return out;
+  } catch (const InputError& e) {
+    return (e.pointer().empty() ? "" : e.pointer() + ": ") + e.what();
+  }
+}
+
+const std::string head_2 = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n", head_4 = "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n",
+                  head_40 = "$MeshFormat\n4 0 8\n$EndMeshFormat\n",
+                  nodes_2 = "$Nodes\n3\n1 0 0 5\n2 4 0 5\n3 0 4 5\n$EndNodes\n",
+                  elements_2 = "$Elements\n2\n1 1 2 9 8 1 2\n2 2 2 7 6 1 2 3\n$EndElements\n",
+                  nodes_4 = "$Nodes\n1 3 1 3\n2 6 0 3\n1\n2\n3\n0 0 5\n4 0 5\n0 4 5\n$EndNodes\n",
+                  elements_4 = "$Elements\n1 1 1 1\n2 6 2 1\n1 1 2 3\n$EndElements\n";
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  const std::size_t place = text.find(from);
+  REQUIRE(place != std::string::npos);
+  return text.replace(place, from.size(), to);
+}
+
+std::vector<Case> mesh_file_cases() {
+  const std::string entities = "`$Entities`, `$PartitionedEntities`", old = "`$NOD` or `$NOE`, `$ELM`",
+                    dull = "`$Periodic`, `$GhostElements`, `$Parametrizations`, `$Comments`",
+                    other = "any other, such as `$NodeData`", named = "`$PhysicalNames`",
+                    parametric = "`$ParametricNodes`", triangle = ": 0 0 4 0 0 4\n";
+  std::vector<Case> cases = {
+      {"`$MeshFormat`", head_2 + nodes_2 + elements_2, triangle},
+      {"`$MeshFormat`", nodes_2 + head_2 + elements_2, "line 1: expected $MeshFormat before $Nodes"},
+      {named, head_2 + "$PhysicalNames\n2\n2 7 \"cell\"\n1 9 \"r\xe4nd\"\n$EndPhysicalNames\n" + nodes_2 + elements_2,
+       "cell; r\xc3\xa4nd"},
+      {entities, head_4 + "$Entities\n0 0 1 0\n6 0 0 0 4 4 0 1 7 0\n$EndEntities\n" + nodes_4 + elements_4,
+       "physical surface 7"},
+      {entities,
+       head_40 + "$Entities\n0 0 1 0\n6 0 0 0 4 4 0 1 7 0\n$EndEntities\n" +
+           "$Nodes\n1 3\n6 2 0 3\n1 0 0 5\n2 4 0 5\n3 0 4 5\n$EndNodes\n$Elements\n1 1\n6 2 2 1\n1 1 2 "
+           "3\n$EndElements\n",
+       "physical surface 7"},
+      {entities,
+       head_4 + "$PartitionedEntities\n1\n0\n0 0 1 0\n6 2 3 1 1 0 0 0 4 4 0 0 0\n$EndPartitionedEntities\n" + nodes_4 +
+           elements_4,
+       "surface 3"},
+      {"`$Nodes`", head_4 + nodes_4 + elements_4, triangle},
+      {"`$Nodes`", head_2 + replaced(nodes_2, "0 4 5", "0 4 5.1") + elements_2, "node 3: has z = 5.1"},
+      {parametric,
+       head_2 + "$ParametricNodes\n3\n1 0 0 5 0 1\n2 4 0 5 1 2 0.5\n3 0 4 5 2 3 0.5 0.5\n$EndParametricNodes\n" +
+           elements_2,
+       triangle},
+      {"`$Elements`", head_2 + nodes_2 + elements_2,
+       "physical surface 7; physical curve 9; boundary of physical surface 7"},
+      {old, "$NOD\n3\n1 0 0 5\n2 4 0 5 1 7 0.5\n3 0 4 5\n$ENDNOD\n$ELM\n1\n1 2 7 6 3 1 2 3\n$ENDELM\n", triangle},
+      {old, "$NOE\n3\n1 0 0 5\n2 4 0 5\n3 0 4 5\n$ENDNOE\n$ELM\n1\n1 2 7 6 3 1 2 3\n$ENDELM\n", triangle},
+      {other, head_2 + "$NodeData\n1\n$EndNodeData\n" + nodes_2 + elements_2, "not read: $NodeData"},
+      {other, "$Any\n$EndAny\n" + head_2 + nodes_2 + "$Other\n$EndOther\n" + elements_2, "not read: $Any, $Other"},
+  };
+  for (const char* section : {"Periodic", "GhostElements", "Parametrizations", "Comments"})
+    cases.push_back({dull, head_2 + nodes_2 + elements_2 + "$" + section + "\n1\n$End" + section + "\n", triangle});
+  return cases;
+}
+
+/// What export-msh makes of two triangles of two faces with a line between them.
+std::vector<Case> written_cases() {
+  const std::string two =
+      head_2 + "$PhysicalNames\n2\n2 7 \"left\"\n2 9 \"right\"\n$EndPhysicalNames\n" +
+      "$Nodes\n4\n1 0 0 0\n2 4 0 0\n3 0 4 0\n4 4 4 0\n$EndNodes\n$Elements\n2\n1 2 2 7 1 1 2 3\n2 2 2 9 2 2 4 3\n"
+      "$EndElements\n";
+  return {{"point k", two, "$Nodes\n4\n1 0 0 0\n2 4 0 0\n3 0 4 0\n4 4 4 0\n"},
+          {"triangle t", two, "\n1 2 2 1 1 1 2 3\n2 2 2 2 2 2 4 3\n"},
+          {"constrained edge e", two, "$Elements\n7\n"},
+          {"face f", two, "2 1 \"left\"\n2 2 \"right\"\n"},
+          {"curve c", two, "1 1 \"left | right\"\n1 2 \"boundary of left\"\n"},
+          {"vertex where open curves end", two, "$Entities\n2 3 2 0\n"}};
+}
+
+}  // namespace
+
+TEST_CASE("what each row of svg_import.md says is so", "[svg][pages]") {
+  for (const Case& c : drawing_cases()) {
+    CAPTURE(c.row, c.input.substr(0, 200));
+    CHECK_THAT(read_drawing(c.input), Catch::Contains(c.expected));
+  }
+}
+
+TEST_CASE("every row of svg_import.md has a case", "[svg][pages]") {
+  std::set<std::string> rows = rows_of("svg_import.md");
+  // Five million elements or pieces, and two gigabytes, take too long for a test.
+  for (const char* large : {"size of the file", "pieces after fitting"}) CHECK(rows.erase(large) == 1);
+  CHECK(rows == rows_with_a_case(drawing_cases()));
+}
+
+TEST_CASE("what each row of msh.md says is so", "[msh][pages]") {
+  for (const Case& c : mesh_file_cases()) {
+    CAPTURE(c.row, c.input);
+    CHECK_THAT(read_mesh_file(c.input), Catch::Contains(c.expected));
+  }
+  for (const Case& c : written_cases()) {
+    CAPTURE(c.row);
+    std::string text;
+    for (const auto version : {MshWriteOptions::Version::v2_2, MshWriteOptions::Version::v4_1})
+      write_msh(read_msh(c.input).mesh, {version, false}, text);
+    CHECK_THAT(text, Catch::Contains(c.expected));
+  }
+}
+
+TEST_CASE("every row of msh.md has a case", "[msh][pages]") {
+  std::vector<Case> cases = mesh_file_cases();
+  for (Case& c : written_cases()) cases.push_back(std::move(c));
+  for (const char* family : {"triangle", "line"}) cases.push_back({family, "", ""});  // the next test
+  CHECK(rows_of("msh.md") == rows_with_a_case(cases));
+}
+
+TEST_CASE("the element types of msh.md are those that are written and read", "[msh][pages]") {
+  std::ifstream in(std::string(PLIANT_FORMAT_PAGES) + "/msh.md");
+  std::vector<std::vector<std::string>> rows;
+  for (std::string line; std::getline(in, line);)
+    if (line.starts_with("| triangle |") || line.starts_with("| line |")) {
+      std::istringstream cells(line);
+      rows.emplace_back();
+      for (std::string word; cells >> word;)
+        if (word != "|") rows.back().push_back(word);
+    }
+  REQUIRE(rows.size() == 2);
+  for (const auto& row : rows) {
+    REQUIRE(row.size() == 11);
+    for (std::size_t order = 1; order <= 10; ++order) {
+      std::string text;
+      write_msh(samples::disk(static_cast<int>(order)), {MshWriteOptions::Version::v4_1, false}, text);
+      CAPTURE(row.front(), order);
+      std::istringstream elements(text.substr(text.find("$Elements\n")));
+      std::set<std::string> types;
+      for (std::string line; std::getline(elements, line);) {  // "dimension tag type count" opens a block
+        std::istringstream words(line);
+        std::vector<std::string> found;
+        for (std::string word; words >> word;) found.push_back(word);
+        if (found.size() == 4 && found[0] == (row.front() == "line" ? "1" : "2")) types.insert(found[2]);
+      }
+      CHECK(types.count(row[order]) == 1);
+      CHECK(read_msh(text).mesh.degree == static_cast<int>(order));
+    }
+  }
+}
