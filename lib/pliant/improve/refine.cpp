@@ -302,11 +302,9 @@ PassReport refine(Mesh& mesh, const RefineOptions& options) {
   do {
     before = tally.points();
     Tamer tamer(mesh, options.refit, tally.flips);
-    TameCounts tamed;
-    tamed = tamer.tame(find_poor(mesh, options.goals), options.max_triangles);
+    const TameCounts tamed = tamer.tame(find_poor(mesh, options.goals), options.max_triangles);
     tally.insertions += tamed.splits;
     tally.splits += tamed.curve_splits;
-    if (getenv("TAME")) fprintf(stderr, "tame: %ld %ld left %ld\n", tamed.splits, tamed.curve_splits, tamed.left);
     Round(mesh, options, tally).run();
     // Numbers in the order of insertion would send every later pass from one end of the memory to the other.
     if ((tally.points() - before) * triangles_per_new_vertex > mesh.triangle_count())

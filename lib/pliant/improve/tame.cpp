@@ -69,7 +69,6 @@ TameCounts Tamer::tame(std::vector<TriangleId> seeds, long max_triangles, std::v
     wild.clear();
     for (const TriangleId t : changed_)
       if (is_wild(t)) wild.push_back(t);
-    if (getenv("TAME")) { fprintf(stderr, "level %d seeds %zu wild %zu refused %zu splits %ld %ld triangles %d\n", level, seeds.size(), wild.size(), refused_.size(), counts_.splits, counts_.curve_splits, mesh_.triangle_count()); for (TriangleId t : wild) fprintf(stderr, "  %g %g\n", mesh_.point(mesh_.corner(t,0)).x, mesh_.point(mesh_.corner(t,0)).y); }
     if (!is_cut) break;
     seeds = changed_;
   }
