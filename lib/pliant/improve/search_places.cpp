@@ -10,9 +10,9 @@ namespace {
 
 constexpr double first_step = 0.1, last_step = 2e-3;  // relative to the element
 constexpr int most_steps = 400;
-/// For all searches of a pass, by element that was too curved: a step costs some p^4, and above degree 3 elements that
+/// For all searches of a pass, by element that was too curved: a step costs some p^4, and above degree 2 elements that
 /// nothing mends would take minutes.
-int steps_per_element(int degree) { return degree <= 3 ? 4000 : 77000 / (degree * degree * degree * degree); }
+int steps_per_element(int degree) { return degree <= 2 ? 4000 : 77000 / (degree * degree * degree * degree); }
 constexpr double diagonal = 0.70710678118654752;
 constexpr std::array<Vector, 8> directions{{{1, 0},
                                             {0, 1},

@@ -204,7 +204,11 @@ class Smoother {
     const auto is_mended = [&] { return moves_.movable_excess(t) <= std::max(1.0, before * (1 - progress)); };
     if (options_.flips && before >= tangled_excess && !is_mended()) changed = moves_.flip_edges(t) || changed;
     if (options_.vertices && !is_mended()) changed = moves_.move_vertices(t) || changed;
-    if (!changed && (before >= tangled_excess || searches_[at(t)]++ < most_searches)) changed = moves_.search_places(t);
+    // A valid element whose straight triangle is turned over is for flips and refinement: no place of its points helps.
+    const auto is_worth_a_search = [&] {
+      return before >= tangled_excess || (!moves_.is_turned_over(t) && searches_[at(t)]++ < most_searches);
+    };
+    if (!changed && is_worth_a_search()) changed = moves_.search_places(t);
     if (!changed) {
       last_[at(t)] = before;
       failed_[at(t)] = clock_;
