@@ -1,4 +1,5 @@
-#include "pliant/flow/advect.h"  // tools/advect.cpp
+// tools/advect.cpp: carries meshes along in a flow by one step.
+#include "pliant/flow/advect.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>

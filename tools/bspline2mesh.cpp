@@ -1,4 +1,4 @@
-// tools/bspline2mesh.cpp: from boundary documents to meshes: check, generate, refine
+// tools/bspline2mesh.cpp: from boundary documents to meshes: check, generate, refine.
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <stdexcept>

@@ -1,4 +1,5 @@
-#pragma once  // tools/filter.h: what all tools share: options, reading series, whole-or-nothing output, exit statuses
+// tools/filter.h: what all tools share: options, reading series, whole-or-nothing output, exit statuses.
+#pragma once
 #include <chrono>
 #include <cstdio>
 #include <functional>

@@ -1,3 +1,4 @@
+// tools/smoothcurves.cpp: makes elements less curved, and untangles those that are not valid.
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <numbers>
@@ -7,7 +8,7 @@
 #include "filter.h"
 #include "global_smoothing.h"
 #include "pliant/geometry/describe.h"
-#include "pliant/improve/smooth_curves.h"  // tools/smoothcurves.cpp
+#include "pliant/improve/smooth_curves.h"
 #include "progress_line.h"
 #include "refit_option.h"
 

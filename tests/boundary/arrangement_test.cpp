@@ -1,3 +1,4 @@
+// tests/boundary/arrangement_test.cpp: areas, pieces and faults of faces made from curves that cross, touch or overlap.
 #include "pliant/boundary/arrangement.h"
 
 #include <algorithm>

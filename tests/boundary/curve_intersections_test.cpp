@@ -1,3 +1,5 @@
+// tests/boundary/curve_intersections_test.cpp: intersections of Bézier curves where formulas know them, tangent ones
+// too.
 #include "pliant/boundary/curve_intersections.h"
 
 #include <algorithm>

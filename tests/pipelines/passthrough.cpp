@@ -1,5 +1,5 @@
 // tests/pipelines/passthrough.cpp: a filter that leaves the mesh alone, or fails as it is told: what every tool
-// inherits
+// inherits.
 #include <CLI/CLI.hpp>
 #include <limits>
 #include <stdexcept>

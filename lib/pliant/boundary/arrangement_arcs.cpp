@@ -1,3 +1,4 @@
+// lib/pliant/boundary/arrangement_arcs.cpp: curves cut at all their intersections.
 #include "pliant/boundary/arrangement_arcs.h"
 
 #include <algorithm>

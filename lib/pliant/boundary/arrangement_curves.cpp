@@ -1,3 +1,4 @@
+// lib/pliant/boundary/arrangement_curves.cpp: kept arcs become B-splines again.
 #include "pliant/boundary/arrangement_curves.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// lib/pliant/boundary/arrangement_graph.cpp: the planar graph of arcs, its regions and their winding numbers.
 #include "pliant/boundary/arrangement_graph.h"
 
 #include <algorithm>

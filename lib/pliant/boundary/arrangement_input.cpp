@@ -1,3 +1,4 @@
+// lib/pliant/boundary/arrangement_input.cpp: curves that do not stop, fold back on a line or turn in no room.
 #include "pliant/boundary/arrangement_input.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// lib/pliant/boundary/curve_intersections.cpp: where do two Bézier curves meet? Bézier clipping.
 #include "pliant/boundary/curve_intersections.h"
 
 #include <algorithm>

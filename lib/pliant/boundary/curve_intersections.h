@@ -1,4 +1,5 @@
-#pragma once  // lib/pliant/boundary/curve_intersections.h: where do two Bézier curves meet? Bézier clipping
+// lib/pliant/boundary/curve_intersections.h: where do two Bézier curves meet? Bézier clipping.
+#pragma once
 #include <span>
 #include <vector>
 
