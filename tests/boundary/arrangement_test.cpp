@@ -10,6 +10,7 @@
 #include "pliant/boundary/boundary_spans.h"
 #include "pliant/boundary/check_boundary.h"
 #include "pliant/boundary/curve_intersections.h"
+#include "pliant/boundary/curve_points.h"
 #include "support/sample_boundaries.h"
 
 using namespace pliant;

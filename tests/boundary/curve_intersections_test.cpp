@@ -7,6 +7,8 @@
 #include <cmath>
 #include <random>
 
+#include "pliant/boundary/curve_points.h"
+
 using namespace pliant;
 
 namespace {

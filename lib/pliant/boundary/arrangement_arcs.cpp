@@ -9,6 +9,7 @@
 
 #include "pliant/boundary/box_pairs.h"
 #include "pliant/boundary/curve_intersections.h"
+#include "pliant/boundary/curve_points.h"
 
 namespace pliant {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "pliant/boundary/arrangement_input.h"
-#include "pliant/boundary/curve_intersections.h"
+#include "pliant/boundary/curve_points.h"
 
 namespace pliant {
 namespace {

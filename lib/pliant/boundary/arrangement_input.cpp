@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "pliant/boundary/arrangement_curves.h"
-#include "pliant/boundary/curve_intersections.h"
+#include "pliant/boundary/curve_points.h"
 #include "pliant/geometry/turning_angle.h"
 
 namespace pliant {
