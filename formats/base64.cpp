@@ -1,3 +1,4 @@
+// formats/base64.cpp: encodes numbers by bytes, three of which become four letters.
 #include "formats/base64.h"
 
 #include <bit>

@@ -1,4 +1,5 @@
-#pragma once  // formats/base64.h: arrays of numbers as text, little-endian whatever the machine
+// formats/base64.h: arrays of numbers as text, little-endian whatever the machine.
+#pragma once
 #include <cstdint>
 #include <span>
 #include <string>

@@ -1,4 +1,5 @@
-#include "formats/boundary_json.h"  // formats/boundary_json.cpp: the boundary document, formats/boundary.md
+// formats/boundary_json.cpp: the boundary document, formats/boundary.md.
+#include "formats/boundary_json.h"
 
 #include <optional>
 #include <string>

@@ -1,4 +1,5 @@
-#pragma once  // formats/boundary_json.h: the boundary as a member of other documents
+// formats/boundary_json.h: the boundary as a member of other documents.
+#pragma once
 #include "formats/read_json.h"
 #include "formats/write_json.h"
 

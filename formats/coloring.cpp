@@ -1,3 +1,4 @@
+// formats/coloring.cpp: what pictures of a mesh are coloured by: a metric, a field or the faces.
 #include "formats/coloring.h"
 
 #include <algorithm>

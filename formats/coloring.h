@@ -1,4 +1,5 @@
-#pragma once  // formats/coloring.h: what pictures of a mesh are coloured by: a metric, a field or the faces
+// formats/coloring.h: what pictures of a mesh are coloured by: a metric, a field or the faces.
+#pragma once
 #include <array>
 #include <cmath>
 #include <optional>

@@ -1,4 +1,5 @@
-#include "formats/document_place.h"  // formats/document_place.cpp: passes over a document without making values of it
+// formats/document_place.cpp: passes over a document without making values of it.
+#include "formats/document_place.h"
 
 #include <algorithm>
 #include <charconv>

@@ -1,4 +1,5 @@
-#pragma once  // formats/document_place.h: the line and column of the value that a JSON pointer names
+// formats/document_place.h: the line and column of the value that a JSON pointer names.
+#pragma once
 #include <string>
 #include <string_view>
 

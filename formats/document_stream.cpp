@@ -1,4 +1,4 @@
-// formats/document_stream.cpp: cuts a stream into documents by their braces, with memory for one
+// formats/document_stream.cpp: cuts a stream into documents by their braces, with memory for one.
 #include <sys/mman.h>
 #include <sys/stat.h>
 #include <unistd.h>

@@ -1,3 +1,4 @@
+// formats/gltf.cpp: a mesh, or a series as an animation, as glTF 2.0 (formats/gltf.md).
 #include "formats/gltf.h"
 
 #include <algorithm>

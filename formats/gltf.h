@@ -1,4 +1,5 @@
-#pragma once  // formats/gltf.h: a mesh, or a series as an animation, as glTF 2.0 (formats/gltf.md)
+// formats/gltf.h: a mesh, or a series as an animation, as glTF 2.0 (formats/gltf.md).
+#pragma once
 #include <memory>
 #include <optional>
 #include <string>

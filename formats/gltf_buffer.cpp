@@ -1,3 +1,4 @@
+// formats/gltf_buffer.cpp: the binary part of a glTF file: vertices, indices, colours and animation keys.
 #include "formats/gltf_buffer.h"
 
 #include <algorithm>

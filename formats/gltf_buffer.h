@@ -1,4 +1,5 @@
-#pragma once  // formats/gltf_buffer.h: the binary part of a glTF file: vertices, indices, colours and animation keys
+// formats/gltf_buffer.h: the binary part of a glTF file: vertices, indices, colours and animation keys.
+#pragma once
 #include <array>
 #include <cstdint>
 #include <string>

@@ -1,4 +1,4 @@
-// formats/gltf_place.cpp: where the scene of a glTF file is, so that single precision is enough for its vertices
+// formats/gltf_place.cpp: where the scene of a glTF file is, so that single precision is enough for its vertices.
 #include "formats/gltf_place.h"
 
 #include <algorithm>

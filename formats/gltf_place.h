@@ -1,5 +1,5 @@
-#pragma once  // formats/gltf_place.h: where the scene of a glTF file is, so that single precision is enough for its
-              // vertices
+// formats/gltf_place.h: where the scene of a glTF file is, so that single precision is enough for its vertices.
+#pragma once
 #include "formats/coloring.h"
 #include "pliant/geometry/point.h"
 #include "pliant/mesh/mesh_data.h"

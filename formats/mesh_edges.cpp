@@ -1,3 +1,4 @@
+// formats/mesh_edges.cpp: the edges of a mesh document, each once, for those who draw them.
 #include "formats/mesh_edges.h"
 
 #include <algorithm>

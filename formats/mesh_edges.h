@@ -1,4 +1,5 @@
-#pragma once  // formats/mesh_edges.h: the edges of a mesh document, each once, for those who draw them
+// formats/mesh_edges.h: the edges of a mesh document, each once, for those who draw them.
+#pragma once
 #include <array>
 #include <cstdint>
 #include <vector>

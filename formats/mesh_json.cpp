@@ -1,4 +1,5 @@
-#include "formats/mesh_json.h"  // formats/mesh_json.cpp: the mesh document, formats/mesh.md
+// formats/mesh_json.cpp: the mesh document, formats/mesh.md.
+#include "formats/mesh_json.h"
 
 #include <string>
 

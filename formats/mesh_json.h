@@ -1,4 +1,5 @@
-#pragma once  // formats/mesh_json.h: the mesh and boundary documents, as JSON and JSON Lines (formats/mesh.md)
+// formats/mesh_json.h: the mesh and boundary documents, as JSON and JSON Lines (formats/mesh.md).
+#pragma once
 #include <cstdio>
 #include <memory>
 #include <string>

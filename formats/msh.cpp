@@ -1,4 +1,5 @@
-#include "formats/msh.h"  // formats/msh.cpp: from what the file says to a mesh, and what to tell about it
+// formats/msh.cpp: from what the file says to a mesh, and what to tell about it.
+#include "formats/msh.h"
 
 #include <algorithm>
 #include <set>

@@ -1,4 +1,5 @@
-#pragma once  // formats/msh.h: reads Gmsh's MSH files, versions 1 to 4.1, text and binary (formats/msh.md)
+// formats/msh.h: reads Gmsh's MSH files, versions 1 to 4.1, text and binary (formats/msh.md).
+#pragma once
 #include <cstdint>
 #include <string>
 #include <string_view>

@@ -1,4 +1,5 @@
-#include "formats/msh_cursor.h"  // formats/msh_cursor.cpp
+// formats/msh_cursor.cpp: a cursor over the bytes of an MSH file: numbers as text or binary, faults with place.
+#include "formats/msh_cursor.h"
 
 #include <algorithm>
 #include <charconv>

@@ -1,5 +1,5 @@
-#pragma once  // formats/msh_cursor.h: a cursor over the bytes of an MSH file: numbers as text or binary, faults with
-              // place
+// formats/msh_cursor.h: a cursor over the bytes of an MSH file: numbers as text or binary, faults with place.
+#pragma once
 #include <bit>
 #include <cstdint>
 #include <cstring>

@@ -1,4 +1,4 @@
-// formats/msh_curves.cpp: chains of edges become B-splines of the boundary
+// formats/msh_curves.cpp: chains of edges become B-splines of the boundary.
 #include <algorithm>
 #include <map>
 #include <numeric>

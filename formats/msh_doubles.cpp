@@ -1,4 +1,4 @@
-// formats/msh_doubles.cpp: nodes at one place twice, where parts that touch have not been joined
+// formats/msh_doubles.cpp: nodes at one place twice, where parts that touch have not been joined.
 #include <algorithm>
 #include <cmath>
 #include <map>

@@ -1,4 +1,4 @@
-// formats/msh_elements.cpp: the section $Elements of MSH 2.2 and 4.1
+// formats/msh_elements.cpp: the section $Elements of MSH 2.2 and 4.1.
 #include <algorithm>
 
 #include "formats/msh_file.h"

@@ -1,4 +1,5 @@
-#pragma once  // formats/msh_file.h: what an MSH file says, before it becomes a mesh
+// formats/msh_file.h: what an MSH file says, before it becomes a mesh.
+#pragma once
 #include <array>
 #include <cstdint>
 #include <limits>

@@ -1,4 +1,4 @@
-// formats/msh_lagrange.cpp: from Lagrange nodes to Bézier control points, and which edges lie on curves
+// formats/msh_lagrange.cpp: from Lagrange nodes to Bézier control points, and which edges lie on curves.
 #include <algorithm>
 #include <array>
 #include <numeric>

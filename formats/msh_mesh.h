@@ -1,4 +1,5 @@
-#pragma once  // formats/msh_mesh.h: the steps from an MSH file to a mesh
+// formats/msh_mesh.h: the steps from an MSH file to a mesh.
+#pragma once
 #include <string>
 #include <vector>
 

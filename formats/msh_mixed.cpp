@@ -1,4 +1,4 @@
-// formats/msh_mixed.cpp: triangles of several orders, raised to the highest
+// formats/msh_mixed.cpp: triangles of several orders, raised to the highest.
 #include <algorithm>
 #include <array>
 #include <unordered_map>

@@ -1,4 +1,4 @@
-// formats/msh_nodes.cpp: the section $Nodes of MSH 2.2 and 4.1
+// formats/msh_nodes.cpp: the section $Nodes of MSH 2.2 and 4.1.
 #include <algorithm>
 #include <cmath>
 

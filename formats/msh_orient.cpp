@@ -1,4 +1,4 @@
-// formats/msh_orient.cpp: turns clockwise triangles, part by part
+// formats/msh_orient.cpp: turns clockwise triangles, part by part.
 #include <algorithm>
 
 #include "formats/msh_mesh.h"

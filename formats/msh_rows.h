@@ -1,4 +1,5 @@
-#pragma once  // formats/msh_rows.h: rows of numbers in an MSH file
+// formats/msh_rows.h: rows of numbers in an MSH file.
+#pragma once
 #include <array>
 #include <bit>
 #include <cstddef>

@@ -1,4 +1,4 @@
-// formats/msh_sections.cpp: the header of an MSH file, its sections in turn, names of groups, entities
+// formats/msh_sections.cpp: the header of an MSH file, its sections in turn, names of groups, entities.
 #include <algorithm>
 #include <cstdlib>
 

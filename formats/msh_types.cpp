@@ -1,4 +1,4 @@
-// formats/msh_types.cpp: Gmsh's element types, the order of their nodes, and tags
+// formats/msh_types.cpp: Gmsh's element types, the order of their nodes, and tags.
 #include <algorithm>
 #include <cassert>
 

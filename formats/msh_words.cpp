@@ -1,4 +1,4 @@
-// formats/msh_words.cpp: faults of a mesh in the words of the MSH file it came from
+// formats/msh_words.cpp: faults of a mesh in the words of the MSH file it came from.
 #include <charconv>
 #include <optional>
 

@@ -1,3 +1,4 @@
+// formats/msh_writer.cpp: writes Gmsh's MSH files, versions 4.1 and 2.2, text and binary (formats/msh.md).
 #include "formats/msh_writer.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
-#pragma once  // formats/msh_writer.h: writes Gmsh's MSH files, versions 4.1 and 2.2, text and binary (formats/msh.md)
+// formats/msh_writer.h: writes Gmsh's MSH files, versions 4.1 and 2.2, text and binary (formats/msh.md).
+#pragma once
 #include <string>
 
 #include "pliant/mesh/mesh_data.h"

@@ -1,4 +1,5 @@
-#include "formats/presence.h"  // formats/presence.cpp: members compared by how their names are typed
+// formats/presence.cpp: members compared by how their names are typed.
+#include "formats/presence.h"
 
 #include <algorithm>
 #include <cctype>

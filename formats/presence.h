@@ -1,4 +1,5 @@
-#pragma once  // formats/presence.h: which members of an object were there, and which others were meant to be one
+// formats/presence.h: which members of an object were there, and which others were meant to be one.
+#pragma once
 #include <initializer_list>
 #include <string>
 #include <string_view>

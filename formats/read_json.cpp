@@ -1,4 +1,5 @@
-#include "formats/read_json.h"  // formats/read_json.cpp: objects, arrays and faults of a document
+// formats/read_json.cpp: objects, arrays and faults of a document.
+#include "formats/read_json.h"
 
 #include <algorithm>
 #include <cstring>

@@ -1,5 +1,5 @@
-#pragma once  // formats/read_json.h: a strict pull reader of JSON; bulk arrays go straight into vectors, faults name
-              // the place
+// formats/read_json.h: a strict pull reader of JSON; bulk arrays go straight into vectors, faults name the place.
+#pragma once
 #include <array>
 #include <cstddef>
 #include <cstdint>

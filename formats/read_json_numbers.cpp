@@ -1,3 +1,4 @@
+// formats/read_json_numbers.cpp: numbers by the grammar of RFC 8259, one or many.
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -5,7 +6,7 @@
 #include <cstdlib>
 #include <limits>
 
-#include "formats/read_json.h"  // formats/read_json_numbers.cpp: numbers by the grammar of RFC 8259, one or many
+#include "formats/read_json.h"
 
 namespace pliant {
 namespace {

@@ -1,6 +1,7 @@
+// formats/read_json_strings.cpp: strings: UTF-8 and escapes.
 #include <charconv>
 
-#include "formats/read_json.h"  // formats/read_json_strings.cpp: strings: UTF-8 and escapes
+#include "formats/read_json.h"
 
 namespace pliant {
 namespace {

@@ -1,4 +1,5 @@
-#include "formats/recognize.h"  // formats/recognize.cpp: by the first bytes, as `file` does
+// formats/recognize.cpp: by the first bytes, as `file` does.
+#include "formats/recognize.h"
 
 #include <algorithm>
 

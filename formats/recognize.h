@@ -1,4 +1,5 @@
-#pragma once  // formats/recognize.h: what kind of file some bytes are, for the tool that was given the wrong one
+// formats/recognize.h: what kind of file some bytes are, for the tool that was given the wrong one.
+#pragma once
 #include <string>
 #include <string_view>
 #include <vector>

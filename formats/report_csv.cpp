@@ -1,3 +1,4 @@
+// formats/report_csv.cpp: writes the columns of the table of elements.
 #include "formats/report_csv.h"
 
 #include <array>

@@ -1,4 +1,5 @@
-#pragma once  // formats/report_csv.h: the figures of single elements as a table, a line an element (report.md)
+// formats/report_csv.h: the figures of single elements as a table, a line an element (report.md).
+#pragma once
 #include <string>
 
 #include "pliant/mesh/mesh_data.h"

@@ -1,3 +1,4 @@
+// formats/report_html.cpp: the report as one page that draws the mesh, needs nothing else, and fetches nothing.
 #include "formats/report_html.h"
 
 #include <cmath>

@@ -1,5 +1,5 @@
-#pragma once  // formats/report_html.h: the report as one page that draws the mesh, needs nothing else, and fetches
-              // nothing
+// formats/report_html.h: the report as one page that draws the mesh, needs nothing else, and fetches nothing.
+#pragma once
 #include <string>
 
 #include "pliant/mesh/mesh_data.h"

@@ -1,4 +1,5 @@
-#include "formats/report_json.h"  // formats/report_json.cpp: members in the order of formats/report.md
+// formats/report_json.cpp: members in the order of formats/report.md.
+#include "formats/report_json.h"
 
 #include <cmath>
 

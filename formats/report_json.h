@@ -1,4 +1,5 @@
-#pragma once  // formats/report_json.h: the quality report as one line of JSON (formats/report.md)
+// formats/report_json.h: the quality report as one line of JSON (formats/report.md).
+#pragma once
 #include <string>
 
 #include "pliant/quality/quality_report.h"

@@ -1,4 +1,5 @@
-#pragma once  // formats/report_page.h: the fixed parts of the HTML report; the build makes them from report_page/
+// formats/report_page.h: the fixed parts of the HTML report; the build makes them from report_page/.
+#pragma once
 #include <span>
 #include <string_view>
 

@@ -1,4 +1,5 @@
-#include "formats/report_text.h"  // formats/report_text.cpp: tables with fixed columns
+// formats/report_text.cpp: tables with fixed columns.
+#include "formats/report_text.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,5 @@
-#pragma once  // formats/report_text.h: the quality report for people, at most 80 columns wide
+// formats/report_text.h: the quality report for people, at most 80 columns wide.
+#pragma once
 #include <string>
 
 #include "pliant/quality/quality_report.h"

@@ -1,3 +1,4 @@
+// formats/svg.cpp: a still picture of a mesh as SVG (formats/svg.md).
 #include "formats/svg.h"
 
 #include <algorithm>

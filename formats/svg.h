@@ -1,4 +1,5 @@
-#pragma once  // formats/svg.h: a still picture of a mesh as SVG (formats/svg.md)
+// formats/svg.h: a still picture of a mesh as SVG (formats/svg.md).
+#pragma once
 #include <optional>
 #include <string>
 #include <vector>

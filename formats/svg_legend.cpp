@@ -1,3 +1,4 @@
+// formats/svg_legend.cpp: the column beside a picture that says what its colours mean.
 #include "formats/svg_legend.h"
 
 #include <algorithm>

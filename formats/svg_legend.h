@@ -1,4 +1,5 @@
-#pragma once  // formats/svg_legend.h: the column beside a picture that says what its colours mean
+// formats/svg_legend.h: the column beside a picture that says what its colours mean.
+#pragma once
 #include <string>
 
 #include "formats/coloring.h"

@@ -1,3 +1,4 @@
+// formats/svg_path.cpp: numbers and Bézier curves as SVG's path data, y upwards.
 #include "formats/svg_path.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
-#pragma once  // formats/svg_path.h: numbers and Bézier curves as SVG's path data, y upwards
+// formats/svg_path.h: numbers and Bézier curves as SVG's path data, y upwards.
+#pragma once
 #include <string>
 #include <string_view>
 #include <vector>

@@ -1,4 +1,5 @@
-#include "formats/svg_reader.h"  // formats/svg_reader.cpp: from the filled shapes to faces, curves and vertices
+// formats/svg_reader.cpp: from the filled shapes to faces, curves and vertices.
+#include "formats/svg_reader.h"
 
 #include <algorithm>
 #include <array>

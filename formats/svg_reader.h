@@ -1,4 +1,5 @@
-#pragma once  // formats/svg_reader.h: the filled shapes of an SVG drawing as a boundary complex (formats/svg_import.md)
+// formats/svg_reader.h: the filled shapes of an SVG drawing as a boundary complex (formats/svg_import.md).
+#pragma once
 #include <string>
 #include <string_view>
 #include <vector>

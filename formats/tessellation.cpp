@@ -1,3 +1,4 @@
+// formats/tessellation.cpp: curved elements as straight triangles that meet along their edges.
 #include "formats/tessellation.h"
 
 #include <algorithm>

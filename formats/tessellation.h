@@ -1,4 +1,5 @@
-#pragma once  // formats/tessellation.h: curved elements as straight triangles that meet along their edges
+// formats/tessellation.h: curved elements as straight triangles that meet along their edges.
+#pragma once
 #include <array>
 #include <cmath>
 #include <cstdint>

@@ -1,4 +1,5 @@
-#include "formats/write_json.h"  // formats/write_json.cpp: numbers and strings as JSON
+// formats/write_json.cpp: numbers and strings as JSON.
+#include "formats/write_json.h"
 
 #include <charconv>
 #include <cmath>

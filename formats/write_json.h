@@ -1,4 +1,5 @@
-#pragma once  // formats/write_json.h: JSON on one line, numbers in the shortest form that reads back to the same double
+// formats/write_json.h: JSON on one line, numbers in the shortest form that reads back to the same double.
+#pragma once
 #include <cstdint>
 #include <string>
 #include <string_view>

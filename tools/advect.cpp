@@ -1,4 +1,5 @@
-#include "pliant/flow/advect.h"  // tools/advect.cpp
+// tools/advect.cpp: carries meshes along in a flow by one step.
+#include "pliant/flow/advect.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -6,6 +7,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <limits>
+#include <optional>
 #include <sstream>
 
 #include "criteria_options.h"
@@ -140,47 +142,104 @@ void require_progress(double before, double after) {
   throw NoResult(text.str());
 }
 
+struct StepOptions {
+  AdvectOptions advect;
+  double dt = 0;
+  std::optional<double> until;
+
+  void add(CLI::App& app) {
+    app.add_option("--dt", dt_text_, "the time step")->type_name("DT");
+    app.add_option("--until", until_text_, "step by min(DT, T - time); a mesh at T or later passes through")
+        ->type_name("T");
+    app.add_option("--substeps", advect.substeps, "Runge-Kutta steps within DT")
+        ->type_name("N")
+        ->check(CLI::Range(1, 1000000))
+        ->capture_default_str();
+    app.add_flag("--limit", limit_, "where the step is unsafe, take a shorter one that is safe");
+    app.add_flag("--force", force_, "take the step also if it inverts elements");
+    app.add_flag("--keep-area", advect.keep_area, "keep the area inside each closed curve, by one normal offset");
+  }
+
+  void check(const CLI::App& app) {
+    if (limit_ && force_) throw UsageError("--limit and --force exclude each other");
+    if (app.count("--dt") == 0) throw UsageError("--dt is required");
+    dt = parse_positive("--dt", dt_text_);
+    if (app.count("--until") > 0) until = parse_number("--until", until_text_);
+    advect.policy = limit_ ? StepPolicy::limit : force_ ? StepPolicy::force : StepPolicy::refuse;
+  }
+
+ private:
+  std::string dt_text_, until_text_;
+  bool limit_ = false, force_ = false;
+};
+
+/// What is reported of a mesh that is late enough already.
+PassReport report_no_step(const Mesh& mesh) {
+  PassReport passed;
+  passed.add("dt", 0);
+  passed.add("time", mesh.time);
+  return passed;
+}
+
+/// Takes the step, or no step where the mesh is late enough already.
+PassReport take_step(Mesh& mesh, const StepOptions& step, const VelocityOptions& flow, const ToolOptions& tool) {
+  AdvectOptions options = step.advect;
+  options.dt = step.dt;
+  const double before = mesh.time;
+  bool reaches = false;  // the time at which to stop
+  if (step.until) {
+    const double left = *step.until - before;
+    if (!(left > 0)) return report_no_step(mesh);
+    reaches = left <= step.dt * (1 + same_time);
+    if (reaches) options.dt = left;
+  }
+  require_progress(before, reaches ? *step.until : before + options.dt);
+  const double unit = mesh.boundary().unit;
+  const VelocityField in_unit = [&flow, unit](const Point& place, double time) {
+    return flow.velocity(unit * place, time) / unit;
+  };
+  AdvectOutcome outcome = flow.velocity ? advect(mesh, unit == 1 ? flow.velocity : in_unit, options)
+                                        : advect_by_field(mesh, flow.find(mesh), options);
+  using Status = AdvectOutcome::Status;
+  if (outcome.status != Status::done && outcome.status != Status::limited) throw NoResult(explain(outcome, options.dt));
+  if (options.policy == StepPolicy::force && outcome.blocking != none)
+    say(tool, "forced an unsafe step: " + outcome.report.notes.back());
+  require_progress(before, mesh.time);
+  if (outcome.status == Status::done) mesh.time = reaches ? *step.until : round_time(mesh.time, options.dt);
+  for (auto& [name, value] : outcome.report.values)
+    if (name == "time") value = mesh.time;
+  return outcome.report;
+}
+
+/// --flow help wants no input and no other option, as --help.
+bool asks_for_flows(int argc, char** argv) {
+  for (int i = 1; i < argc; ++i) {
+    const std::string argument = argv[i];
+    if (argument == "--flow=help" || (argument == "--flow" && i + 1 < argc && std::string(argv[i + 1]) == "help"))
+      return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   CLI::App app{"Carry a mesh along in a flow by one step, certified: no element is inverted on the way.", "advect"};
   VelocityOptions flow;
+  StepOptions step;
   FieldOption fields;
-  AdvectOptions options;
-  std::string dt_text, until_text;
-  double dt = 0, until = 0;
-  bool limit = false, force = false;
   flow.add(app);
-  app.add_option("--dt", dt_text, "the time step")->type_name("DT");
-  app.add_option("--until", until_text, "step by min(DT, T - time); a mesh at T or later passes through")
-      ->type_name("T");
-  app.add_option("--substeps", options.substeps, "Runge-Kutta steps within DT")
-      ->type_name("N")
-      ->check(CLI::Range(1, 1000000))
-      ->capture_default_str();
-  app.add_flag("--limit", limit, "where the step is unsafe, take a shorter one that is safe");
-  app.add_flag("--force", force, "take the step also if it inverts elements");
-  app.add_flag("--keep-area", options.keep_area, "keep the area inside each closed curve, by one normal offset");
+  step.add(app);
   fields.add(app);
-
-  // --flow help wants no input and no other option, as --help.
-  for (int i = 1; i < argc; ++i) {
-    const std::string argument = argv[i];
-    if (argument == "--flow=help" || (argument == "--flow" && i + 1 < argc && std::string(argv[i + 1]) == "help")) {
-      std::fputs(list_flows().c_str(), stdout);
-      return status::done;
-    }
+  if (asks_for_flows(argc, argv)) {
+    std::fputs(list_flows().c_str(), stdout);
+    return status::done;
   }
-
   FilterOptions filter;
   ToolOptions tool;
   filter.prepare = [&](const ToolOptions& parsed) {
     tool = parsed;
-    if (limit && force) throw UsageError("--limit and --force exclude each other");
-    if (app.count("--dt") == 0) throw UsageError("--dt is required");
-    dt = parse_positive("--dt", dt_text);
-    if (app.count("--until") > 0) until = parse_number("--until", until_text);
-    options.policy = limit ? StepPolicy::limit : force ? StepPolicy::force : StepPolicy::refuse;
+    step.check(app);
     flow.check(app);
     fields.check();
   };
@@ -188,37 +247,7 @@ int main(int argc, char** argv) {
       app, argc, argv,
       [&](Mesh& mesh) {
         fields.apply(mesh);
-        options.dt = dt;
-        bool reaches = false;
-        if (app.count("--until") > 0) {
-          const double left = until - mesh.time;
-          if (!(left > 0)) {
-            PassReport passed;
-            passed.add("dt", 0);
-            passed.add("time", mesh.time);
-            return passed;
-          }
-          reaches = left <= dt * (1 + same_time);
-          if (reaches) options.dt = left;
-        }
-        const double before = mesh.time;
-        require_progress(before, reaches ? until : before + options.dt);
-        const double unit = mesh.boundary().unit;
-        const VelocityField velocity = [&flow, unit](const Point& place, double time) {
-          return flow.velocity(unit * place, time) / unit;
-        };
-        AdvectOutcome outcome = flow.velocity ? advect(mesh, unit == 1 ? flow.velocity : velocity, options)
-                                              : advect_by_field(mesh, flow.find(mesh), options);
-        using Status = AdvectOutcome::Status;
-        if (outcome.status != Status::done && outcome.status != Status::limited)
-          throw NoResult(explain(outcome, options.dt));
-        if (options.policy == StepPolicy::force && outcome.blocking != none)
-          say(tool, "forced an unsafe step: " + outcome.report.notes.back());
-        require_progress(before, mesh.time);
-        if (outcome.status == Status::done) mesh.time = reaches ? until : round_time(mesh.time, options.dt);
-        for (auto& [name, value] : outcome.report.values)
-          if (name == "time") value = mesh.time;
-        return outcome.report;
+        return take_step(mesh, step, flow, tool);
       },
       filter);
 }

@@ -1,4 +1,4 @@
-// tools/bspline2mesh.cpp: from boundary documents to meshes: check, generate, refine
+// tools/bspline2mesh.cpp: from boundary documents to meshes: check, generate, refine.
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <stdexcept>
@@ -76,83 +76,123 @@ void refine_to(Mesh& mesh, const CriteriaOptions& criteria, const ToolOptions& t
   report.add("elements_levelled", static_cast<double>(share_bends(mesh).levelled));
 }
 
+/// What the command line asks for.
+struct MeshingOptions {
+  ToolOptions tool;
+  GenerateOptions generate;
+  CriteriaOptions criteria;
+  FieldOption fields;
+  double time = 0;
+  long max_triangles = RefineOptions().max_triangles;
+  bool no_refine = false, resolves = false;
+
+  void add(CLI::App& app) {
+    add_common_options(app, tool);
+    app.add_option("--degree", degree_text_, "degree of the mesh, 1 to 10; default: the curves' greatest, at least 2")
+        ->type_name("N");
+    app.add_flag("--resolve", resolves,
+                 "let curves cross, touch and overlap: cut them there; later faces lie over earlier ones");
+    criteria.add(app, false);
+    add_max_triangles(app, max_triangles);
+    app.add_flag("--no-refine", no_refine, "keep the first valid mesh, whatever the criteria");
+    fields.add(app);
+    app.add_option("--time", time_text_, "time of the mesh")->type_name("T")->capture_default_str();
+  }
+
+  void check() {
+    if (!degree_text_.empty()) {
+      const double degree = parse_number("--degree", degree_text_);
+      generate.degree = static_cast<int>(degree);
+      if (degree != generate.degree || degree < 1 || degree > max_degree)
+        throw UsageError("--degree: '" + degree_text_ + "' is not a whole number from 1 to " +
+                         std::to_string(max_degree));
+    }
+    time = parse_number("--time", time_text_);
+    criteria.check();
+    fields.check();
+  }
+
+ private:
+  std::string time_text_ = "0", degree_text_;
+};
+
+/// One boundary after the other, to meshes; memory and watch go on from frame to frame.
+class Meshing {
+ public:
+  Meshing(const MeshingOptions& options, ProgressLine& line, OutputFile& output, FrameReports& reports)
+      : options_(options), line_(line), output_(output), reports_(reports) {}
+
+  /// Meshes a boundary and writes the mesh and its report.
+  void run(BoundaryComplex& boundary, const Frame& frame) {
+    seconds_.assign(1, {"read", watch_.lap()});
+    PassReport report;
+    Mesh mesh = generate(boundary, report);
+    seconds_.emplace_back("generate", watch_.lap());
+    if (options_.no_refine)
+      options_.criteria.apply(mesh.criteria, mesh.boundary());
+    else
+      refine_to(mesh, options_.criteria, options_.tool, options_.max_triangles, report);
+    seconds_.emplace_back("refine", watch_.lap());
+    line_.stage("write");
+    options_.fields.apply(mesh);
+    if (!find_invalid(mesh).empty()) throw NoResult("elements of the result are not valid");
+    text_.clear();
+    report_in_document(report, boundary.unit);
+    MeshData data = mesh.to_data();
+    restore_unit(data);
+    write_mesh(data, text_);
+    output_.write(text_);
+    seconds_.emplace_back("write", watch_.lap());
+    reports_.add(frame, mesh.time, report, seconds_);
+  }
+
+ private:
+  /// The first mesh of a boundary, once that is checked.
+  Mesh generate(BoundaryComplex& boundary, PassReport& report) {
+    line_.stage(options_.resolves ? "resolve" : "check");
+    PassReport resolved;
+    if (options_.resolves)
+      resolve_crossings(boundary, resolved);
+    else
+      require_boundary(boundary);
+    seconds_.emplace_back("check", watch_.lap());
+    line_.stage("generate");
+    Mesh mesh;
+    GenerateOutcome outcome = mesh_from_boundary(boundary, options_.generate, mesh);
+    if (!outcome.ok) throw NoResult(outcome.failure);
+    report = std::move(outcome.report);
+    for (std::size_t& k : report.lengths) k += resolved.values.size();
+    report.values.insert(report.values.begin(), resolved.values.begin(), resolved.values.end());
+    report.notes.insert(report.notes.begin(), resolved.notes.begin(), resolved.notes.end());
+    mesh.time = options_.time;
+    return mesh;
+  }
+
+  const MeshingOptions& options_;
+  ProgressLine& line_;
+  OutputFile& output_;
+  FrameReports& reports_;
+  Stopwatch watch_;
+  std::vector<std::pair<std::string, double>> seconds_;  // what each stage took
+  std::string text_;
+};
+
 }  // namespace
 
 int main(int argc, char** argv) {
   CLI::App app{"Mesh the faces that B-spline curves bound with valid Bezier triangles.", "bspline2mesh"};
-  ToolOptions options;
-  GenerateOptions generate;
-  CriteriaOptions criteria;
-  FieldOption fields;
-  std::string time_text = "0", degree_text;
-  long max_triangles = RefineOptions().max_triangles;
-  bool no_refine = false, resolves = false;
-  add_common_options(app, options);
-  app.add_option("--degree", degree_text, "degree of the mesh, 1 to 10; default: the curves' greatest, at least 2")
-      ->type_name("N");
-  app.add_flag("--resolve", resolves,
-               "let curves cross, touch and overlap: cut them there; later faces lie over earlier ones");
-  criteria.add(app, false);
-  add_max_triangles(app, max_triangles);
-  app.add_flag("--no-refine", no_refine, "keep the first valid mesh, whatever the criteria");
-  fields.add(app);
-  app.add_option("--time", time_text, "time of the mesh")->type_name("T")->capture_default_str();
-  return run_tool(app, argc, argv, options, [&] {
-    if (!degree_text.empty()) {
-      const double degree = parse_number("--degree", degree_text);
-      generate.degree = static_cast<int>(degree);
-      if (degree != generate.degree || degree < 1 || degree > max_degree)
-        throw UsageError("--degree: '" + degree_text + "' is not a whole number from 1 to " +
-                         std::to_string(max_degree));
-    }
-    const double time = parse_number("--time", time_text);
-    criteria.check();
-    fields.check();
-    OutputFile output(options.output);
-    FrameReports reports(options);
-    ProgressLine line(options);
-    generate.progress = line.counters();
-    Stopwatch watch;
-    std::string text;
-    for_each_boundary(options, [&](BoundaryComplex&& boundary, const Frame& frame) {
+  MeshingOptions options;
+  options.add(app);
+  return run_tool(app, argc, argv, options.tool, [&] {
+    options.check();
+    OutputFile output(options.tool.output);
+    FrameReports reports(options.tool);
+    ProgressLine line(options.tool);
+    options.generate.progress = line.counters();
+    Meshing meshing(options, line, output, reports);
+    for_each_boundary(options.tool, [&](BoundaryComplex&& boundary, const Frame& frame) {
       normalize_unit(boundary);
-      const double unit = boundary.unit;
-      in_unit(unit, [&] {
-        const double read = watch.lap();
-        line.stage(resolves ? "resolve" : "check");
-        PassReport resolved;
-        if (resolves)
-          resolve_crossings(boundary, resolved);
-        else
-          require_boundary(boundary);
-        const double check = watch.lap();
-        line.stage("generate");
-        Mesh mesh;
-        GenerateOutcome outcome = mesh_from_boundary(boundary, generate, mesh);
-        if (!outcome.ok) throw NoResult(outcome.failure);
-        for (std::size_t& k : outcome.report.lengths) k += resolved.values.size();
-        outcome.report.values.insert(outcome.report.values.begin(), resolved.values.begin(), resolved.values.end());
-        outcome.report.notes.insert(outcome.report.notes.begin(), resolved.notes.begin(), resolved.notes.end());
-        mesh.time = time;
-        const double first = watch.lap();
-        if (no_refine)
-          criteria.apply(mesh.criteria, mesh.boundary());
-        else
-          refine_to(mesh, criteria, options, max_triangles, outcome.report);
-        const double refined = watch.lap();
-        line.stage("write");
-        fields.apply(mesh);
-        if (!find_invalid(mesh).empty()) throw NoResult("elements of the result are not valid");
-        text.clear();
-        report_in_document(outcome.report, unit);
-        MeshData data = mesh.to_data();
-        restore_unit(data);
-        write_mesh(data, text);
-        output.write(text);
-        reports.add(
-            frame, mesh.time, outcome.report,
-            {{"read", read}, {"check", check}, {"generate", first}, {"refine", refined}, {"write", watch.lap()}});
-      });
+      in_unit(boundary.unit, [&] { meshing.run(boundary, frame); });
       line.stage("read");
     });
     output.commit();

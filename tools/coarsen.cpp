@@ -1,4 +1,5 @@
-#include "pliant/improve/coarsen.h"  // tools/coarsen.cpp
+// tools/coarsen.cpp: removes vertices that neither size nor geometry needs.
+#include "pliant/improve/coarsen.h"
 
 #include <CLI/CLI.hpp>
 

@@ -1,4 +1,5 @@
-#include "criteria_options.h"  // tools/criteria_options.cpp: from the texts of options to criteria of a document
+// tools/criteria_options.cpp: from the texts of options to criteria of a document.
+#include "criteria_options.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>

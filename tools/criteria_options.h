@@ -1,5 +1,5 @@
-#pragma once  // tools/criteria_options.h: --min-angle, --max-area and the other criteria of refine, coarsen,
-              // bspline2mesh
+// tools/criteria_options.h: --min-angle, --max-area and the other criteria of refine, coarsen, bspline2mesh.
+#pragma once
 #include <functional>
 #include <optional>
 #include <string>

@@ -1,4 +1,5 @@
-#include "doubts.h"  // tools/doubts.cpp: texts that open with file, line and frame
+// tools/doubts.cpp: texts that open with file, line and frame.
+#include "doubts.h"
 
 namespace pliant {
 

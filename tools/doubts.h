@@ -1,4 +1,5 @@
-#pragma once  // tools/doubts.h: where in its document something is wrong, or probably not what was meant
+// tools/doubts.h: where in its document something is wrong, or probably not what was meant.
+#pragma once
 #include <set>
 #include <string>
 #include <string_view>

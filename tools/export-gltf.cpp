@@ -1,4 +1,5 @@
-#include <CLI/CLI.hpp>  // tools/export-gltf.cpp
+// tools/export-gltf.cpp: writes a mesh, or a series as an animation, as glTF.
+#include <CLI/CLI.hpp>
 #include <stdexcept>
 
 #include "filter.h"

@@ -1,4 +1,5 @@
-#include <CLI/CLI.hpp>  // tools/export-msh.cpp
+// tools/export-msh.cpp: writes a mesh as a file of Gmsh's.
+#include <CLI/CLI.hpp>
 #include <string>
 
 #include "filter.h"

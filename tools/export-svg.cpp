@@ -1,4 +1,5 @@
-#include <CLI/CLI.hpp>  // tools/export-svg.cpp
+// tools/export-svg.cpp: draws a mesh as SVG.
+#include <CLI/CLI.hpp>
 #include <optional>
 #include <stdexcept>
 

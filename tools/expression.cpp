@@ -1,4 +1,5 @@
-#include "expression.h"  // tools/expression.cpp
+// tools/expression.cpp: formulas in x, y and t, as muParser evaluates them.
+#include "expression.h"
 
 #include <muParser.h>
 

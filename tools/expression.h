@@ -1,4 +1,5 @@
-#pragma once  // tools/expression.h: a formula in x, y and t from the command line as a function (muParser)
+// tools/expression.h: a formula in x, y and t from the command line as a function (muParser).
+#pragma once
 #include <memory>
 #include <string>
 

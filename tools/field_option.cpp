@@ -1,4 +1,5 @@
-#include "field_option.h"  // tools/field_option.cpp
+// tools/field_option.cpp: --field NAME[@FACE]=EXPR[,EXPR] of bspline2mesh and advect.
+#include "field_option.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>

@@ -1,4 +1,5 @@
-#pragma once  // tools/field_option.h: --field NAME[@FACE]=EXPR[,EXPR] of bspline2mesh and advect
+// tools/field_option.h: --field NAME[@FACE]=EXPR[,EXPR] of bspline2mesh and advect.
+#pragma once
 #include <string>
 #include <vector>
 

@@ -1,4 +1,5 @@
-#pragma once  // tools/filter.h: what all tools share: options, reading series, whole-or-nothing output, exit statuses
+// tools/filter.h: what all tools share: options, reading series, whole-or-nothing output, exit statuses.
+#pragma once
 #include <chrono>
 #include <cstdio>
 #include <functional>
@@ -25,7 +26,8 @@ struct MshOptions;
 
 /// Exit statuses of every tool.
 namespace status {
-inline constexpr int done = 0, check_failed = 1, wrong_usage = 2, bad_input = 3, no_result = 4, io_failed = 5;
+inline constexpr int done = 0, check_failed = 1, wrong_usage = 2, bad_input = 3, no_result = 4, io_failed = 5,
+                     internal_error = 6;
 }
 
 /// Wrong usage that the parser cannot see (status 2): options that exclude each other, a name that does not exist.
@@ -65,8 +67,9 @@ struct ToolOptions {
 void add_common_options(CLI::App& app, ToolOptions& options, bool with_report = true);
 
 /// Parses, runs `body`, and turns what it throws into a message on standard error and an exit status: UsageError 2,
-/// InputError 3, NoResult and bad_alloc 4, system_error 5. --help and --version give 0, parse errors 2. `body` returns
-/// the status itself where nothing is thrown. A closed pipe ends the process by SIGPIPE.
+/// InputError 3, NoResult, domain_error and what memory does not hold 4, system_error 5, all else 6. --help and
+/// --version give 0, parse errors 2. `body` returns the status itself where nothing is thrown. A closed pipe ends the
+/// process by SIGPIPE.
 int run_tool(CLI::App& app, int argc, char** argv, ToolOptions& options, const std::function<int()>& body);
 
 /// What is wrong with the arguments that the parser did not take, and the nearest option there is; `complaint` is what

@@ -1,7 +1,8 @@
+// tools/flipdelaunay.cpp: flips edges until the logical mesh is Delaunay.
 #include <CLI/CLI.hpp>
 
 #include "filter.h"
-#include "pliant/improve/enforce_delaunay.h"  // tools/flipdelaunay.cpp
+#include "pliant/improve/enforce_delaunay.h"
 #include "refit_option.h"
 
 int main(int argc, char** argv) {

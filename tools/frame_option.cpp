@@ -1,6 +1,7 @@
+// tools/frame_option.cpp: which mesh of a series a tool takes that writes only one.
 #include "frame_option.h"
 
-#include <CLI/CLI.hpp>  // tools/frame_option.cpp
+#include <CLI/CLI.hpp>
 #include <deque>
 
 namespace pliant {

@@ -1,4 +1,5 @@
-#pragma once  // tools/frame_option.h: which mesh of a series a tool takes that writes only one
+// tools/frame_option.h: which mesh of a series a tool takes that writes only one.
+#pragma once
 #include "filter.h"
 
 namespace pliant {

@@ -1,4 +1,4 @@
-// tools/frame_reports.cpp: --report and -v
+// tools/frame_reports.cpp: --report and -v.
 #include <algorithm>
 #include <cerrno>
 #include <cmath>

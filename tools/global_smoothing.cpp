@@ -1,3 +1,4 @@
+// tools/global_smoothing.cpp: smoothcurves --global and its options, also in builds without the smoother.
 #include "global_smoothing.h"
 
 #include <CLI/CLI.hpp>

@@ -1,4 +1,5 @@
-#pragma once  // tools/global_smoothing.h: smoothcurves --global and its options, also in builds without the smoother
+// tools/global_smoothing.h: smoothcurves --global and its options, also in builds without the smoother.
+#pragma once
 #include <string>
 
 #include "pliant/improve/smooth_curves.h"

@@ -1,10 +1,11 @@
+// tools/import-msh.cpp: reads a file of Gmsh's as a mesh.
 #include <CLI/CLI.hpp>
 
 #include "criteria_options.h"
 #include "field_option.h"
 #include "filter.h"
 #include "formats/mesh_json.h"
-#include "formats/msh.h"  // tools/import-msh.cpp
+#include "formats/msh.h"
 #include "pliant/mesh/check_mesh.h"
 #include "pliant/mesh/document_unit.h"
 

@@ -1,3 +1,4 @@
+// tools/import-svg.cpp: reads the filled shapes of a drawing as a boundary.
 #include <CLI/CLI.hpp>
 #include <cerrno>
 #include <cstdio>
@@ -8,7 +9,7 @@
 #include "filter.h"
 #include "formats/mesh_json.h"
 #include "formats/recognize.h"
-#include "formats/svg_reader.h"  // tools/import-svg.cpp
+#include "formats/svg_reader.h"
 
 namespace {
 

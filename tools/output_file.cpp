@@ -1,4 +1,4 @@
-// tools/output_file.cpp: a result that appears whole or not at all
+// tools/output_file.cpp: a result that appears whole or not at all.
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>

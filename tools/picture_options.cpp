@@ -1,3 +1,4 @@
+// tools/picture_options.cpp: the options that export-svg and export-gltf share.
 #include "picture_options.h"
 
 #include <CLI/CLI.hpp>

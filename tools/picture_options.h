@@ -1,4 +1,5 @@
-#pragma once  // tools/picture_options.h: the options that export-svg and export-gltf share
+// tools/picture_options.h: the options that export-svg and export-gltf share.
+#pragma once
 #include <optional>
 #include <string>
 #include <vector>

@@ -1,4 +1,5 @@
-#include "progress_line.h"  // tools/progress_line.cpp
+// tools/progress_line.cpp: on a terminal, one line that tells how far a long run has come.
+#include "progress_line.h"
 
 #include <sys/ioctl.h>
 #include <unistd.h>

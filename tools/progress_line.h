@@ -1,4 +1,5 @@
-#pragma once  // tools/progress_line.h: on a terminal, one line that tells how far a long run has come
+// tools/progress_line.h: on a terminal, one line that tells how far a long run has come.
+#pragma once
 #include <memory>
 #include <mutex>
 

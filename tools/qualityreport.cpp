@@ -1,4 +1,4 @@
-// tools/qualityreport.cpp: measures meshes and writes what it found, for eyes, scripts and makefiles
+// tools/qualityreport.cpp: measures meshes and writes what it found, for eyes, scripts and makefiles.
 #include <CLI/CLI.hpp>
 #include <array>
 #include <charconv>

@@ -1,4 +1,5 @@
-#include "pliant/improve/refine.h"  // tools/refine.cpp
+// tools/refine.cpp: inserts points into elements that are too large or too poor.
+#include "pliant/improve/refine.h"
 
 #include <CLI/CLI.hpp>
 

@@ -1,3 +1,4 @@
+// tools/refit_option.cpp: --projection, the same in every tool that refits fields.
 #include "refit_option.h"
 
 #include <CLI/CLI.hpp>

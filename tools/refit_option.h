@@ -1,4 +1,5 @@
-#pragma once  // tools/refit_option.h: --projection, the same in every tool that refits fields
+// tools/refit_option.h: --projection, the same in every tool that refits fields.
+#pragma once
 #include "pliant/ops/outcome.h"
 
 namespace CLI {

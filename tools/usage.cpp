@@ -1,4 +1,4 @@
-// tools/usage.cpp: what is wrong with a command line, and what may have been meant
+// tools/usage.cpp: what is wrong with a command line, and what may have been meant.
 #include <CLI/CLI.hpp>
 
 #include "filter.h"

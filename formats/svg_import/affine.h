@@ -1,4 +1,5 @@
-#pragma once  // formats/svg_import/affine.h: affine maps of the plane
+// formats/svg_import/affine.h: affine maps of the plane.
+#pragma once
 #include <cmath>
 
 #include "pliant/geometry/point.h"

@@ -1,4 +1,5 @@
-#include "formats/svg_import/bezier_fit.h"  // formats/svg_import/bezier_fit.cpp
+// formats/svg_import/bezier_fit.cpp: the steps of an outline as Bézier pieces of a degree, within a tolerance.
+#include "formats/svg_import/bezier_fit.h"
 
 #include <algorithm>
 #include <optional>

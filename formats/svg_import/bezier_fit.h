@@ -1,5 +1,5 @@
-#pragma once  // formats/svg_import/bezier_fit.h: the steps of an outline as Bézier pieces of a degree, within a
-              // tolerance
+// formats/svg_import/bezier_fit.h: the steps of an outline as Bézier pieces of a degree, within a tolerance.
+#pragma once
 #include <array>
 #include <vector>
 

@@ -1,4 +1,5 @@
-#include "formats/svg_import/context.h"  // formats/svg_import/context.cpp
+// formats/svg_import/context.cpp: what an element inherits from those around it, and its own place in the drawing.
+#include "formats/svg_import/context.h"
 
 #include <algorithm>
 #include <array>

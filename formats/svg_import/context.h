@@ -1,5 +1,5 @@
-#pragma once  // formats/svg_import/context.h: what an element inherits from those around it, and its own place in the
-              // drawing
+// formats/svg_import/context.h: what an element inherits from those around it, and its own place in the drawing.
+#pragma once
 #include <string>
 #include <string_view>
 

@@ -1,4 +1,5 @@
-#include "formats/svg_import/element_tree.h"  // formats/svg_import/element_tree.cpp
+// formats/svg_import/element_tree.cpp: the elements of an SVG document, as Expat finds them.
+#include "formats/svg_import/element_tree.h"
 
 #include <expat.h>
 

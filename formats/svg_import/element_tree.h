@@ -1,4 +1,5 @@
-#pragma once  // formats/svg_import/element_tree.h: the elements of an SVG document, as Expat finds them
+// formats/svg_import/element_tree.h: the elements of an SVG document, as Expat finds them.
+#pragma once
 #include <string>
 #include <string_view>
 #include <unordered_map>

@@ -1,4 +1,5 @@
-#include "formats/svg_import/loops.h"  // formats/svg_import/loops.cpp
+// formats/svg_import/loops.cpp: the closed loops that bound a filled shape, as B-splines.
+#include "formats/svg_import/loops.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,5 @@
-#pragma once  // formats/svg_import/loops.h: the closed loops that bound a filled shape, as B-splines
+// formats/svg_import/loops.h: the closed loops that bound a filled shape, as B-splines.
+#pragma once
 #include <vector>
 
 #include "formats/svg_import/bezier_fit.h"

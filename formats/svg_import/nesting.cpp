@@ -1,4 +1,5 @@
-#include "formats/svg_import/nesting.h"  // formats/svg_import/nesting.cpp
+// formats/svg_import/nesting.cpp: what lies on either side of loops that neither cross nor touch.
+#include "formats/svg_import/nesting.h"
 
 #include <algorithm>
 #include <array>

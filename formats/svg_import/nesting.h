@@ -1,4 +1,5 @@
-#pragma once  // formats/svg_import/nesting.h: what lies on either side of loops that neither cross nor touch
+// formats/svg_import/nesting.h: what lies on either side of loops that neither cross nor touch.
+#pragma once
 #include <optional>
 #include <vector>
 

@@ -1,4 +1,5 @@
-#include "formats/svg_import/notices.h"  // formats/svg_import/notices.cpp
+// formats/svg_import/notices.cpp: one sentence for each kind of thing that a drawing has and Pliant does not read.
+#include "formats/svg_import/notices.h"
 
 #include <algorithm>
 

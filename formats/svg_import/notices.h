@@ -1,5 +1,5 @@
-#pragma once  // formats/svg_import/notices.h: one sentence for each kind of thing that a drawing has and Pliant does
-              // not read
+// formats/svg_import/notices.h: one sentence for each kind of thing that a drawing has and Pliant does not read.
+#pragma once
 #include <string>
 #include <vector>
 

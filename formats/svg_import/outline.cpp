@@ -1,4 +1,5 @@
-#include "formats/svg_import/outline.h"  // formats/svg_import/outline.cpp
+// formats/svg_import/outline.cpp: the outline of a filled shape, as its commands, arcs by their centres.
+#include "formats/svg_import/outline.h"
 
 #include <numbers>
 

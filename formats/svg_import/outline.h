@@ -1,4 +1,5 @@
-#pragma once  // formats/svg_import/outline.h: the outline of a filled shape, as its commands, arcs by their centres
+// formats/svg_import/outline.h: the outline of a filled shape, as its commands, arcs by their centres.
+#pragma once
 #include <vector>
 
 #include "formats/svg_import/affine.h"

@@ -1,4 +1,5 @@
-#include "formats/svg_import/paint.h"  // formats/svg_import/paint.cpp
+// formats/svg_import/paint.cpp: does a paint show anything? CSS colours in every spelling.
+#include "formats/svg_import/paint.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,5 @@
-#pragma once  // formats/svg_import/paint.h: does a paint show anything? CSS colours in every spelling
+// formats/svg_import/paint.h: does a paint show anything? CSS colours in every spelling.
+#pragma once
 #include <string_view>
 
 namespace pliant::svg {

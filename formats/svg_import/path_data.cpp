@@ -1,4 +1,5 @@
-#include "formats/svg_import/path_data.h"  // formats/svg_import/path_data.cpp
+// formats/svg_import/path_data.cpp: the path data of an SVG path.
+#include "formats/svg_import/path_data.h"
 
 #include "formats/svg_import/scanner.h"
 

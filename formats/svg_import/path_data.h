@@ -1,4 +1,5 @@
-#pragma once  // formats/svg_import/path_data.h: the path data of an SVG path
+// formats/svg_import/path_data.h: the path data of an SVG path.
+#pragma once
 #include <string_view>
 
 #include "formats/svg_import/outline.h"

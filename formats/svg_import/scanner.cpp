@@ -1,4 +1,5 @@
-#include "formats/svg_import/scanner.h"  // formats/svg_import/scanner.cpp
+// formats/svg_import/scanner.cpp: SVG's small grammars: numbers, lengths, lists, transforms.
+#include "formats/svg_import/scanner.h"
 
 #include <array>
 #include <charconv>

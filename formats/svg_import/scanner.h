@@ -1,4 +1,5 @@
-#pragma once  // formats/svg_import/scanner.h: SVG's small grammars: numbers, lengths, lists, transforms
+// formats/svg_import/scanner.h: SVG's small grammars: numbers, lengths, lists, transforms.
+#pragma once
 #include <optional>
 #include <stdexcept>
 #include <string>

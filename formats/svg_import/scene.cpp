@@ -1,4 +1,5 @@
-#include "formats/svg_import/scene.h"  // formats/svg_import/scene.cpp
+// formats/svg_import/scene.cpp: what a drawing fills: groups, transforms, viewports, `use` and styles resolved.
+#include "formats/svg_import/scene.h"
 
 #include <unordered_map>
 #include <unordered_set>

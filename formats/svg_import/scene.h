@@ -1,5 +1,5 @@
-#pragma once  // formats/svg_import/scene.h: what a drawing fills: groups, transforms, viewports, `use` and styles
-              // resolved
+// formats/svg_import/scene.h: what a drawing fills: groups, transforms, viewports, `use` and styles resolved.
+#pragma once
 #include <string>
 #include <vector>
 

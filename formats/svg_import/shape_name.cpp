@@ -1,4 +1,5 @@
-#include "formats/svg_import/shape_name.h"  // formats/svg_import/shape_name.cpp
+// formats/svg_import/shape_name.cpp: the name of a shape, as the drawing's author would call it.
+#include "formats/svg_import/shape_name.h"
 
 namespace pliant::svg {
 namespace {

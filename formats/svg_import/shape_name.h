@@ -1,4 +1,5 @@
-#pragma once  // formats/svg_import/shape_name.h: the name of a shape, as the drawing's author would call it
+// formats/svg_import/shape_name.h: the name of a shape, as the drawing's author would call it.
+#pragma once
 #include <string>
 #include <unordered_map>
 

@@ -1,4 +1,5 @@
-#include "formats/svg_import/shapes.h"  // formats/svg_import/shapes.cpp
+// formats/svg_import/shapes.cpp: the outlines of path, rect, circle, ellipse, polyline and polygon.
+#include "formats/svg_import/shapes.h"
 
 #include <algorithm>
 #include <numbers>

@@ -1,4 +1,5 @@
-#pragma once  // formats/svg_import/shapes.h: the outlines of path, rect, circle, ellipse, polyline and polygon
+// formats/svg_import/shapes.h: the outlines of path, rect, circle, ellipse, polyline and polygon.
+#pragma once
 #include <limits>
 
 #include "formats/svg_import/element_tree.h"

@@ -1,4 +1,5 @@
-#include "formats/svg_import/style.h"  // formats/svg_import/style.cpp
+// formats/svg_import/style.cpp: the properties that decide what is filled: attributes and style sheets.
+#include "formats/svg_import/style.h"
 
 #include <algorithm>
 #include <optional>

@@ -1,4 +1,5 @@
-#pragma once  // formats/svg_import/style.h: the properties that decide what is filled: attributes and style sheets
+// formats/svg_import/style.h: the properties that decide what is filled: attributes and style sheets.
+#pragma once
 #include <array>
 #include <map>
 #include <string>

@@ -1,4 +1,5 @@
-#include "formats/svg_import/viewport.h"  // formats/svg_import/viewport.cpp
+// formats/svg_import/viewport.cpp: viewBox and preserveAspectRatio.
+#include "formats/svg_import/viewport.h"
 
 #include <algorithm>
 

@@ -1,4 +1,5 @@
-#pragma once  // formats/svg_import/viewport.h: viewBox and preserveAspectRatio
+// formats/svg_import/viewport.h: viewBox and preserveAspectRatio.
+#pragma once
 #include <optional>
 
 #include "formats/svg_import/affine.h"

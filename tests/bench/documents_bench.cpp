@@ -1,4 +1,4 @@
-// tests/bench/documents_bench.cpp: how fast mesh documents are read and written, in MB/s of their text
+// tests/bench/documents_bench.cpp: how fast mesh documents are read and written, in MB/s of their text.
 #include <benchmark/benchmark.h>
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// tests/bench/locate_bench.cpp: finding points in quadratic meshes of 10^4 to 10^6 triangles, near, far, one and many
+// tests/bench/locate_bench.cpp: finding points in quadratic meshes of 10^4 to 10^6 triangles, near, far, one and many.
 #include <benchmark/benchmark.h>
 
 #include <cmath>

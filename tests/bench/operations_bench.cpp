@@ -1,4 +1,4 @@
-// tests/bench/operations_bench.cpp: the local operations and the passes on quadratic meshes that carry two components
+// tests/bench/operations_bench.cpp: the local operations and the passes on quadratic meshes that carry two components.
 #include <benchmark/benchmark.h>
 
 #include <cmath>

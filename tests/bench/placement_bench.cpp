@@ -1,4 +1,4 @@
-// tests/bench/placement_bench.cpp: the best place of one control point, as a smoother of curves asks for it
+// tests/bench/placement_bench.cpp: the best place of one control point, as a smoother of curves asks for it.
 #include <benchmark/benchmark.h>
 
 #include <vector>

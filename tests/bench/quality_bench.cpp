@@ -1,4 +1,4 @@
-// tests/bench/quality_bench.cpp: the audit of a million quadratic elements, in memory
+// tests/bench/quality_bench.cpp: the audit of a million quadratic elements, in memory.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// tests/bench/refinement_bench.cpp: how many triangles a least angle takes, on domains of many kinds, and how long
+// tests/bench/refinement_bench.cpp: how many triangles a least angle takes, on domains of many kinds, and how long.
 #include <benchmark/benchmark.h>
 
 #include <functional>

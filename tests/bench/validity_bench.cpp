@@ -1,4 +1,4 @@
-// tests/bench/validity_bench.cpp: the certificate of one element, by degree and by what it takes to decide
+// tests/bench/validity_bench.cpp: the certificate of one element, by degree and by what it takes to decide.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// tests/boundary/arrangement_test.cpp: areas, pieces and faults of faces made from curves that cross, touch or overlap.
 #include "pliant/boundary/arrangement.h"
 
 #include <algorithm>
@@ -9,6 +10,7 @@
 #include "pliant/boundary/boundary_spans.h"
 #include "pliant/boundary/check_boundary.h"
 #include "pliant/boundary/curve_intersections.h"
+#include "pliant/boundary/curve_points.h"
 #include "support/sample_boundaries.h"
 
 using namespace pliant;

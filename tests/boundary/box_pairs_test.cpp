@@ -1,3 +1,4 @@
+// tests/boundary/box_pairs_test.cpp: overlapping boxes are those that a comparison of all with all finds.
 #include "pliant/boundary/box_pairs.h"
 
 #include <catch2/catch.hpp>

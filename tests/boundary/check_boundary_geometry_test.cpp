@@ -1,3 +1,4 @@
+// tests/boundary/check_boundary_geometry_test.cpp: curves that cross or touch are found, with parameters and places.
 #include <catch2/catch.hpp>
 
 #include "pliant/boundary/check_boundary.h"

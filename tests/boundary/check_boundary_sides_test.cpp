@@ -1,3 +1,4 @@
+// tests/boundary/check_boundary_sides_test.cpp: curves that name a wrong face beside them are found.
 #include <catch2/catch.hpp>
 #include <random>
 

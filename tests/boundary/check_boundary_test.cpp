@@ -1,3 +1,4 @@
+// tests/boundary/check_boundary_test.cpp: structural faults of a boundary document are found, each with its place.
 #include "pliant/boundary/check_boundary.h"
 
 #include <catch2/catch.hpp>

@@ -1,3 +1,4 @@
+// tests/boundary/curve_contact_test.cpp: Bézier curves that meet are told from curves that only come close.
 #include "pliant/boundary/curve_contact.h"
 
 #include <catch2/catch.hpp>

@@ -1,9 +1,13 @@
+// tests/boundary/curve_intersections_test.cpp: intersections of Bézier curves where formulas know them, tangent ones
+// too.
 #include "pliant/boundary/curve_intersections.h"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <random>
+
+#include "pliant/boundary/curve_points.h"
 
 using namespace pliant;
 

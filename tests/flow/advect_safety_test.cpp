@@ -1,4 +1,5 @@
-#include "flow_meshes.h"  // tests/flow/advect_safety_test.cpp: steps that would invert elements, and velocities that fail
+// tests/flow/advect_safety_test.cpp: steps that would invert elements, and velocities that fail.
+#include "flow_meshes.h"
 #include "pliant/flow/advect.h"
 
 using namespace pliant;

@@ -1,4 +1,5 @@
-#include "pliant/flow/advect.h"  // tests/flow/advect_test.cpp
+// tests/flow/advect_test.cpp: laws of a step of the moving mesh: exactness for linear flows, orders, reversibility.
+#include "pliant/flow/advect.h"
 
 #include "flow_meshes.h"
 #include "pliant/flow/runge_kutta.h"

@@ -1,4 +1,5 @@
-#include "expression.h"  // tests/flow/expression_test.cpp
+// tests/flow/expression_test.cpp: expressions from the command line: their values, and what is refused.
+#include "expression.h"
 
 #include <catch2/catch.hpp>
 #include <cmath>

@@ -1,4 +1,5 @@
-#pragma once  // tests/flow/flow_meshes.h: meshes for motion: closed cells, and two rooms with corners and an interface
+// tests/flow/flow_meshes.h: meshes for motion: closed cells, and two rooms with corners and an interface.
+#pragma once
 #include <catch2/catch.hpp>
 
 #include "pliant/geometry/control_net.h"

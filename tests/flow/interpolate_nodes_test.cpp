@@ -1,4 +1,5 @@
-#include "pliant/flow/interpolate_nodes.h"  // tests/flow/interpolate_nodes_test.cpp
+// tests/flow/interpolate_nodes_test.cpp: functions brought into the basis of the mesh: what is exact, and orders.
+#include "pliant/flow/interpolate_nodes.h"
 
 #include "flow_meshes.h"
 

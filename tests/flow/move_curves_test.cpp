@@ -1,4 +1,5 @@
-#include "pliant/flow/move_curves.h"  // tests/flow/move_curves_test.cpp
+// tests/flow/move_curves_test.cpp: splines that are carried along: Greville points, orders, continuity, area.
+#include "pliant/flow/move_curves.h"
 
 #include "flow_meshes.h"
 #include "pliant/flow/runge_kutta.h"

@@ -1,4 +1,5 @@
-#include <catch2/catch.hpp>  // tests/flow/named_flows_test.cpp
+// tests/flow/named_flows_test.cpp: named flows are finite and free of divergence, and keep what they promise.
+#include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>
 #include <random>

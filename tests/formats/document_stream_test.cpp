@@ -1,4 +1,4 @@
-// tests/formats/document_stream_test.cpp: a stream falls into documents as people and programs write them
+// tests/formats/document_stream_test.cpp: a stream falls into documents as people and programs write them.
 #include <unistd.h>
 
 #include <catch2/catch.hpp>

@@ -1,4 +1,4 @@
-// tests/formats/gltf_place_test.cpp: scenes of any size and place, and colours of any range
+// tests/formats/gltf_place_test.cpp: scenes of any size and place, and colours of any range.
 #include "pliant/boundary/fault.h"
 #include "tests/formats/gltf_reading.h"
 

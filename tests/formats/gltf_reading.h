@@ -1,4 +1,5 @@
-#pragma once  // tests/formats/gltf_reading.h: glTF files read back by tinygltf, and what they draw
+// tests/formats/gltf_reading.h: glTF files read back by tinygltf, and what they draw.
+#pragma once
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cstring>

@@ -1,4 +1,4 @@
-// tests/formats/gltf_test.cpp: scenes read back by another reader: geometry, colours, animation
+// tests/formats/gltf_test.cpp: scenes read back by another reader: geometry, colours, animation.
 #include "tests/formats/gltf_reading.h"
 
 namespace pliant {

@@ -1,4 +1,4 @@
-// tests/formats/mesh_json_test.cpp: the mesh document is lossless, strict, and says where it is wrong
+// tests/formats/mesh_json_test.cpp: the mesh document is lossless, strict, and says where it is wrong.
 #include "formats/mesh_json.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
-#pragma once  // tests/formats/msh_sample.h: a small writer of MSH files, of every kind that is read
+// tests/formats/msh_sample.h: a small writer of MSH files, of every kind that is read.
+#pragma once
 #include <algorithm>
 #include <array>
 #include <bit>

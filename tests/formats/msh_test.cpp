@@ -1,4 +1,4 @@
-// tests/formats/msh_test.cpp: what MSH files of every kind say, as meshes
+// tests/formats/msh_test.cpp: what MSH files of every kind say, as meshes.
 #include "formats/msh.h"
 
 #include <catch2/catch.hpp>

@@ -1,4 +1,4 @@
-// tests/formats/msh_versions_test.cpp: all versions of MSH files, and sections in any place, say the same mesh
+// tests/formats/msh_versions_test.cpp: all versions of MSH files, and sections in any place, say the same mesh.
 #include <catch2/catch.hpp>
 
 #include "formats/mesh_json.h"

@@ -1,4 +1,5 @@
-#include "formats/msh_writer.h"  // tests/formats/msh_writer_test.cpp
+// tests/formats/msh_writer_test.cpp: a mesh that is written as MSH and read again is the same mesh.
+#include "formats/msh_writer.h"
 
 #include <algorithm>
 #include <catch2/catch.hpp>

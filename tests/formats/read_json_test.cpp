@@ -1,4 +1,4 @@
-// tests/formats/read_json_test.cpp: the reader against another parser, and numbers against the C library
+// tests/formats/read_json_test.cpp: the reader against another parser, and numbers against the C library.
 #include "formats/read_json.h"
 
 #include <bit>

@@ -1,4 +1,4 @@
-// tests/formats/report_csv_test.cpp: the table says of each element what the library measured
+// tests/formats/report_csv_test.cpp: the table says of each element what the library measured.
 #include "formats/report_csv.h"
 
 #include <catch2/catch.hpp>

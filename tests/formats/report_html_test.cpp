@@ -1,4 +1,4 @@
-// tests/formats/report_html_test.cpp: the page is one document that holds the mesh bit for bit and fetches nothing
+// tests/formats/report_html_test.cpp: the page is one document that holds the mesh bit for bit and fetches nothing.
 #include "formats/report_html.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// tests/formats/report_json_test.cpp: the report's members are stable and its numbers those of the library
+// tests/formats/report_json_test.cpp: the report's members are stable and its numbers those of the library.
 #include "formats/report_json.h"
 
 #include <algorithm>

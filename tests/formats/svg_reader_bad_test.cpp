@@ -1,4 +1,4 @@
-// tests/formats/svg_reader_bad_test.cpp: drawings that are none, hostile ones, and those that are no boundary
+// tests/formats/svg_reader_bad_test.cpp: drawings that are none, hostile ones, and those that are no boundary.
 #include <catch2/catch.hpp>
 #include <chrono>
 #include <random>

@@ -1,4 +1,4 @@
-// tests/formats/svg_reader_test.cpp: what the boundary of a drawing is: geometry, faces, styles
+// tests/formats/svg_reader_test.cpp: what the boundary of a drawing is: geometry, faces, styles.
 #include "formats/svg_reader.h"
 
 #include <algorithm>

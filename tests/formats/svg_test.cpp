@@ -1,3 +1,4 @@
+// tests/formats/svg_test.cpp: pictures are well-formed, and draw each edge once, as the curve it is.
 #include "formats/svg.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// tests/generate/fonts_test.cpp: every glyph of Debian's fonts-dejavu-core, whose outlines are quadratic B-splines
+// tests/generate/fonts_test.cpp: every glyph of Debian's fonts-dejavu-core, whose outlines are quadratic B-splines.
 #include <catch2/catch.hpp>
 #include <cstdlib>
 #include <set>

@@ -1,4 +1,5 @@
-// tests/generate/hard_domains_test.cpp: near contacts, slivers, tiny features, sharp angles, and domains by the hundred
+// tests/generate/hard_domains_test.cpp: near contacts, slivers, tiny features, sharp angles, and domains by the
+// hundred.
 #include <catch2/catch.hpp>
 #include <random>
 

@@ -1,3 +1,4 @@
+// tests/generate/mesh_from_boundary_test.cpp: first meshes are valid and have exactly the area of their boundaries.
 #include "pliant/generate/mesh_from_boundary.h"
 
 #include <catch2/catch.hpp>

@@ -1,4 +1,5 @@
-#pragma once  // tests/generate/meshed_boundary.h: a first mesh, held to all that every first mesh promises
+// tests/generate/meshed_boundary.h: a first mesh, held to all that every first mesh promises.
+#pragma once
 #include <catch2/catch.hpp>
 #include <vector>
 

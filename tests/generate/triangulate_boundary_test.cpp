@@ -1,3 +1,4 @@
+// tests/generate/triangulate_boundary_test.cpp: triangulations are constrained Delaunay, and have every segment.
 #include "pliant/generate/triangulate_boundary.h"
 
 #include <algorithm>

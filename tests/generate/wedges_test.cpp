@@ -1,4 +1,4 @@
-// tests/generate/wedges_test.cpp: curves that meet under small angles take as many triangles as the angle has digits
+// tests/generate/wedges_test.cpp: curves that meet under small angles take as many triangles as the angle has digits.
 #include <catch2/catch.hpp>
 #include <random>
 

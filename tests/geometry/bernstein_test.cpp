@@ -1,4 +1,5 @@
-#include "pliant/geometry/bernstein.h"  // tests/geometry/bernstein_test.cpp
+// tests/geometry/bernstein_test.cpp: laws of Bernstein polynomials: sums, products, integrals, derivatives.
+#include "pliant/geometry/bernstein.h"
 
 #include <boost/multiprecision/cpp_int.hpp>
 #include <catch2/catch.hpp>

@@ -1,3 +1,4 @@
+// tests/geometry/bspline_test.cpp: laws of B-splines: knot insertion and removal, evaluation, extraction.
 #include "pliant/geometry/bspline.h"
 
 #include <algorithm>

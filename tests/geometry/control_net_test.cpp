@@ -1,4 +1,5 @@
-#include "pliant/geometry/control_net.h"  // tests/geometry/control_net_test.cpp
+// tests/geometry/control_net_test.cpp: values, derivatives and sub-nets of a control net against Bernstein's form.
+#include "pliant/geometry/control_net.h"
 
 #include <catch2/catch.hpp>
 #include <cmath>

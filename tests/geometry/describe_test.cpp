@@ -1,4 +1,4 @@
-// tests/geometry/describe_test.cpp: numbers in messages have the digits that they need
+// tests/geometry/describe_test.cpp: numbers in messages have the digits that they need.
 #include "pliant/geometry/describe.h"
 
 #include <array>

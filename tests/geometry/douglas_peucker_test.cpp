@@ -1,3 +1,4 @@
+// tests/geometry/douglas_peucker_test.cpp: simplified polylines stay within the tolerance, and keep their corners.
 #include "pliant/geometry/douglas_peucker.h"
 
 #include <algorithm>

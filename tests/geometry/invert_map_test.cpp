@@ -1,4 +1,5 @@
-#include "pliant/geometry/invert_map.h"  // tests/geometry/invert_map_test.cpp
+// tests/geometry/invert_map_test.cpp: the coordinates of a point in an element are those that were mapped there.
+#include "pliant/geometry/invert_map.h"
 
 #include <algorithm>
 #include <catch2/catch.hpp>

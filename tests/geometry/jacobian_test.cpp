@@ -1,4 +1,5 @@
-#include "pliant/geometry/jacobian.h"  // tests/geometry/jacobian_test.cpp
+// tests/geometry/jacobian_test.cpp: laws of the net of det J.
+#include "pliant/geometry/jacobian.h"
 
 #include <boost/multiprecision/cpp_int.hpp>
 #include <catch2/catch.hpp>

@@ -1,3 +1,4 @@
+// tests/geometry/linear_triangle_test.cpp: measures of straight triangles where closed forms know them.
 #include "pliant/geometry/linear_triangle.h"
 
 #include <catch2/catch.hpp>

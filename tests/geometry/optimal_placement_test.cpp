@@ -1,3 +1,4 @@
+// tests/geometry/optimal_placement_test.cpp: best places of one point against places on a grid.
 #include "pliant/geometry/optimal_placement.h"
 
 #include <algorithm>

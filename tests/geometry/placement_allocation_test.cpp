@@ -1,4 +1,4 @@
-// tests/geometry/placement_allocation_test.cpp: placement allocates nothing once its scratch memory has grown
+// tests/geometry/placement_allocation_test.cpp: placement allocates nothing once its scratch memory has grown.
 #include <catch2/catch.hpp>
 #include <vector>
 

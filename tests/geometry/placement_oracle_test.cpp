@@ -1,3 +1,5 @@
+// tests/geometry/placement_oracle_test.cpp: best places of one point are the optima that long double and another method
+// find.
 #include "support/placement_oracle.h"
 
 #include <catch2/catch.hpp>

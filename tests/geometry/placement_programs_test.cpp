@@ -1,3 +1,4 @@
+// tests/geometry/placement_programs_test.cpp: the programs under optimal placement find the optimum, and prove it.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>

@@ -1,3 +1,4 @@
+// tests/geometry/predicates_test.cpp: orientation and in-circle agree with rational arithmetic.
 #include "pliant/geometry/predicates.h"
 
 #include <array>

@@ -1,3 +1,4 @@
+// tests/geometry/protective_lens_test.cpp: lenses contain their curves, and do not depend on direction, place or size.
 #include "pliant/geometry/protective_lens.h"
 
 #include <catch2/catch.hpp>

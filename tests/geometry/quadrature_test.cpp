@@ -1,4 +1,5 @@
-#include "pliant/geometry/quadrature.h"  // tests/geometry/quadrature_test.cpp
+// tests/geometry/quadrature_test.cpp: rules integrate every monomial of their degree.
+#include "pliant/geometry/quadrature.h"
 
 #include <catch2/catch.hpp>
 #include <cmath>

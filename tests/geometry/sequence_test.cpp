@@ -1,4 +1,4 @@
-// tests/geometry/sequence_test.cpp: a Sequence is a vector, and curves of a million knots change at little cost
+// tests/geometry/sequence_test.cpp: a Sequence is a vector, and curves of a million knots change at little cost.
 #include "pliant/geometry/sequence.h"
 
 #include <catch2/catch.hpp>

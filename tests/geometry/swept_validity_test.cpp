@@ -1,4 +1,5 @@
-#include "pliant/geometry/swept_validity.h"  // tests/geometry/swept_validity_test.cpp
+// tests/geometry/swept_validity_test.cpp: safe fractions of motions whose collapse is known.
+#include "pliant/geometry/swept_validity.h"
 
 #include <catch2/catch.hpp>
 #include <cmath>

@@ -1,3 +1,4 @@
+// tests/geometry/turning_angle_test.cpp: how much polygons turn whose angles are known.
 #include "pliant/geometry/turning_angle.h"
 
 #include <array>

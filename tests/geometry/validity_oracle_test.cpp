@@ -1,4 +1,4 @@
-// tests/geometry/validity_oracle_test.cpp: the certificate against exact answers, on a million elements
+// tests/geometry/validity_oracle_test.cpp: the certificate against exact answers, on a million elements.
 #include "support/validity_oracle.h"
 
 #include <catch2/catch.hpp>

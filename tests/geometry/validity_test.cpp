@@ -1,4 +1,5 @@
-#include "pliant/geometry/validity.h"  // tests/geometry/validity_test.cpp
+// tests/geometry/validity_test.cpp: certificates of validity agree with exact arithmetic.
+#include "pliant/geometry/validity.h"
 
 #include <catch2/catch.hpp>
 #include <cmath>

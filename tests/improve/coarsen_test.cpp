@@ -1,3 +1,4 @@
+// tests/improve/coarsen_test.cpp: coarsening goes as far as sizes, shapes and curves let it, and no farther.
 #include "pliant/improve/coarsen.h"
 
 #include <catch2/catch.hpp>

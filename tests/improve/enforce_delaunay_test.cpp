@@ -1,3 +1,4 @@
+// tests/improve/enforce_delaunay_test.cpp: flips lead to the constrained Delaunay triangulation, and name what is left.
 #include "pliant/improve/enforce_delaunay.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-#pragma once  // tests/improve/improve_meshes.h: meshes of many boundaries with fields, straight meshes, and what passes
-              // must leave
+// tests/improve/improve_meshes.h: meshes of many boundaries with fields, straight meshes, and what passes must leave.
+#pragma once
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>

@@ -1,4 +1,4 @@
-// tests/improve/monotone_test.cpp: what smoothing may do more of never leaves a mesh worse
+// tests/improve/monotone_test.cpp: what smoothing may do more of never leaves a mesh worse.
 #include <catch2/catch.hpp>
 #include <cstdlib>
 

@@ -1,4 +1,5 @@
-#pragma once  // tests/improve/nearly_straight.h: meshes of nearly straight elements that are not Delaunay
+// tests/improve/nearly_straight.h: meshes of nearly straight elements that are not Delaunay.
+#pragma once
 #include <algorithm>
 #include <cmath>
 #include <random>

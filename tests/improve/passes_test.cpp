@@ -1,3 +1,4 @@
+// tests/improve/passes_test.cpp: all passes on all samples: invariants, pipes, any place and scale.
 #include <catch2/catch.hpp>
 
 #include "improve/improve_meshes.h"

@@ -1,4 +1,4 @@
-// tests/improve/refine_settles_test.cpp: refining what was refined does nothing, and what is left has reasons
+// tests/improve/refine_settles_test.cpp: refining what was refined does nothing, and what is left has reasons.
 #include <catch2/catch.hpp>
 #include <cstdlib>
 

@@ -1,3 +1,4 @@
+// tests/improve/refine_test.cpp: refined meshes meet their goals, or count what is left, and keep what they carry.
 #include "pliant/improve/refine.h"
 
 #include <catch2/catch.hpp>

@@ -1,3 +1,4 @@
+// tests/improve/share_bends_test.cpp: elements beside bent curves get a more even Jacobian, and stay valid.
 #include "pliant/improve/share_bends.h"
 
 #include <catch2/catch.hpp>

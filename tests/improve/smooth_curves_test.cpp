@@ -1,3 +1,4 @@
+// tests/improve/smooth_curves_test.cpp: smoothing makes nothing worse, and mends what is known to be mendable.
 #include "pliant/improve/smooth_curves.h"
 
 #include <catch2/catch.hpp>

@@ -1,3 +1,4 @@
+// tests/improve/smooth_globally_test.cpp: the deformation energy, and meshes that it untangles as a whole.
 #include "pliant/improve/smooth_globally.h"
 
 #include <catch2/catch.hpp>

@@ -1,4 +1,5 @@
-#pragma once  // tests/improve/tangled_meshes.h: meshes of many kinds that are too curved, or tangled, by a seed
+// tests/improve/tangled_meshes.h: meshes of many kinds that are too curved, or tangled, by a seed.
+#pragma once
 #include <catch2/catch.hpp>
 #include <fstream>
 #include <iterator>

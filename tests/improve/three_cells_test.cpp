@@ -1,4 +1,5 @@
-// The sample `three-cells` carried past its obstacle for some steps, each with all passes, the checker after each.
+// tests/improve/three_cells_test.cpp: The sample `three-cells` carried past its obstacle for some steps, each with all
+// passes, the checker after each.
 #include <catch2/catch.hpp>
 #include <fstream>
 #include <iterator>

@@ -1,4 +1,5 @@
-#include <algorithm>  // tests/improve/untangle_test.cpp: meshes that a vortex has tangled, smoothed
+// tests/improve/untangle_test.cpp: meshes that a vortex has tangled, smoothed.
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <functional>

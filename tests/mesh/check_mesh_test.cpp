@@ -1,3 +1,4 @@
+// tests/mesh/check_mesh_test.cpp: planted breaches of the invariants are found by their names.
 #include "pliant/mesh/check_mesh.h"
 
 #include <algorithm>

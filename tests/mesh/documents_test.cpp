@@ -1,4 +1,4 @@
-// A live mesh and its document: compacting is what writing and reading again does.
+// tests/mesh/documents_test.cpp: A live mesh and its document: compacting is what writing and reading again does.
 #include <catch2/catch.hpp>
 
 #include "formats/mesh_json.h"

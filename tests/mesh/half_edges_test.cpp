@@ -1,4 +1,5 @@
-#include "pliant/mesh/half_edges.h"  // tests/mesh/half_edges_test.cpp
+// tests/mesh/half_edges_test.cpp: both ways to pair half-edges agree, and find what is no sound mesh.
+#include "pliant/mesh/half_edges.h"
 
 #include <algorithm>
 #include <catch2/catch.hpp>

@@ -1,4 +1,5 @@
-#include "pliant/mesh/locate.h"  // tests/mesh/locate_test.cpp
+// tests/mesh/locate_test.cpp: points are found in their elements, and those outside are outside.
+#include "pliant/mesh/locate.h"
 
 #include <algorithm>
 #include <catch2/catch.hpp>

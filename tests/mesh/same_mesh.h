@@ -1,4 +1,5 @@
-#pragma once  // tests/mesh/same_mesh.h: are two meshes the same in everything that can be asked of them, bit for bit?
+// tests/mesh/same_mesh.h: are two meshes the same in everything that can be asked of them, bit for bit?
+#pragma once
 #include <bit>
 #include <cstdint>
 #include <string>

@@ -1,3 +1,4 @@
+// tests/mesh/star_test.cpp: stars hold every triangle around their vertices.
 #include "pliant/mesh/star.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// tests/mesh/transaction_test.cpp: what is rolled back is bit for bit as it was.
 #include <catch2/catch.hpp>
 #include <random>
 

@@ -1,5 +1,4 @@
-// tests/ops/allocation_test.cpp: operations allocate nothing once their scratch memory has grown
-
+// tests/ops/allocation_test.cpp: operations allocate nothing once their scratch memory has grown.
 #include "ops/carried_domains.h"
 #include "support/counted_malloc.h"
 

@@ -1,4 +1,5 @@
-#pragma once  // tests/ops/carried_domains.h: meshes of several domains that carry fields of every kind
+// tests/ops/carried_domains.h: meshes of several domains that carry fields of every kind.
+#pragma once
 #include <catch2/catch.hpp>
 #include <random>
 

@@ -1,4 +1,4 @@
-// tests/ops/conservation_test.cpp: what each operation by itself keeps: areas of faces, integrals, linear functions
+// tests/ops/conservation_test.cpp: what each operation by itself keeps: areas of faces, integrals, linear functions.
 #include "ops/carried_domains.h"
 #include "pliant/ops/level_jacobian.h"
 

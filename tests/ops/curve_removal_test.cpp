@@ -1,4 +1,4 @@
-// tests/ops/curve_removal_test.cpp: what the removal of a curve's vertex promises: distance, integrals, what stays
+// tests/ops/curve_removal_test.cpp: what the removal of a curve's vertex promises: distance, integrals, what stays.
 #include <algorithm>
 
 #include "ops/carried_domains.h"

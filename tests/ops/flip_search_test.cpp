@@ -1,4 +1,4 @@
-// tests/ops/flip_search_test.cpp: flips of strongly curved pairs against a search for a place of the new edge
+// tests/ops/flip_search_test.cpp: flips of strongly curved pairs against a search for a place of the new edge.
 #include <catch2/catch.hpp>
 #include <random>
 

@@ -1,4 +1,4 @@
-// tests/ops/inner_removal_test.cpp: vertices inside faces, of any degree, are removed by ears
+// tests/ops/inner_removal_test.cpp: vertices inside faces, of any degree, are removed by ears.
 #include "ops/carried_domains.h"
 
 using namespace pliant;

@@ -1,4 +1,4 @@
-// tests/ops/interface_test.cpp: operations on a cell inside a square of fluid: an interface, and a curve with corners
+// tests/ops/interface_test.cpp: operations on a cell inside a square of fluid: an interface, and a curve with corners.
 #include <catch2/catch.hpp>
 #include <random>
 

@@ -1,4 +1,4 @@
-// tests/ops/long_sequences_test.cpp: very many random operations in a row, on several domains, at every degree
+// tests/ops/long_sequences_test.cpp: very many random operations in a row, on several domains, at every degree.
 #include <catch2/catch.hpp>
 #include <cstdlib>
 

@@ -1,3 +1,4 @@
+// tests/ops/operations_test.cpp: laws of the operations: what each keeps, and what its inverse gives back.
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <random>

@@ -1,4 +1,4 @@
-// tests/ops/pinched_test.cpp: operations on lobes that touch one another in one vertex
+// tests/ops/pinched_test.cpp: operations on lobes that touch one another in one vertex.
 #include "ops/carried_domains.h"
 #include "pliant/mesh/star.h"
 

@@ -1,4 +1,5 @@
-#pragma once  // tests/ops/random_operations.h: a disk that carries fields, and random operations on it
+// tests/ops/random_operations.h: a disk that carries fields, and random operations on it.
+#pragma once
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -1,4 +1,4 @@
-// tests/ops/refusals_test.cpp: an operation that refuses says why, and leaves the mesh bit for bit as it was
+// tests/ops/refusals_test.cpp: an operation that refuses says why, and leaves the mesh bit for bit as it was.
 #include <cstring>
 #include <map>
 

@@ -1,4 +1,4 @@
-// tests/ops/round_trip_test.cpp: what an insertion or a split did is undone by the removal of its vertex, to rounding
+// tests/ops/round_trip_test.cpp: what an insertion or a split did is undone by the removal of its vertex, to rounding.
 #include "ops/carried_domains.h"
 
 using namespace pliant;

@@ -1,5 +1,5 @@
 // tests/pipelines/sample_boundary.cpp: writes a sample boundary: sample_boundary NAME DEGREE [WIDTHS [EXPONENT]], moved
-// by so many widths along x and half as many along y, then multiplied by that power of two
+// by so many widths along x and half as many along y, then multiplied by that power of two.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>

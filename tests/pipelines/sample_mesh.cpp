@@ -1,4 +1,4 @@
-// tests/pipelines/sample_mesh.cpp: writes a mesh document made without any tool: sample_mesh KIND DEGREE [TIME]
+// tests/pipelines/sample_mesh.cpp: writes a mesh document made without any tool: sample_mesh KIND DEGREE [TIME].
 #include <cstdio>
 #include <cstdlib>
 #include <string>

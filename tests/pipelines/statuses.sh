@@ -56,6 +56,18 @@ says 'frame 1'
 says 'not finite'
 (($(wc -l <out) == 1)) || fail "a mesh that is not finite must not be written"
 
+# What nobody expects is a fault of the program, and says so: status 6.
+run 6 passthrough --fault logic series.jsonl
+no_output
+says 'passthrough: series.jsonl: frame 0: internal error: told to fail; please report it'
+run 6 passthrough --fault integer series.jsonl
+no_output
+says 'passthrough: internal error: an exception of an unknown kind; please report it'
+run 6 passthrough --fault early series.jsonl
+says 'passthrough: internal error: told to fail; please report it'
+run 4 passthrough --fault length series.jsonl
+says 'more memory than there is'
+
 # Reading that fails.
 for tool in "${mesh_filters[@]}"; do
   run 5 filter "$tool" no-such-file.json

@@ -1,4 +1,5 @@
-#include "pliant/quality/condition.h"  // tests/quality/condition_test.cpp
+// tests/quality/condition_test.cpp: conditions of --fail-if: what they compare, and what is refused.
+#include "pliant/quality/condition.h"
 
 #include <catch2/catch.hpp>
 #include <stdexcept>

@@ -1,4 +1,5 @@
-#include "pliant/quality/crossing_edges.h"  // tests/quality/crossing_edges_test.cpp
+// tests/quality/crossing_edges_test.cpp: edges that cross are told from edges that only come close.
+#include "pliant/quality/crossing_edges.h"
 
 #include <catch2/catch.hpp>
 #include <cmath>

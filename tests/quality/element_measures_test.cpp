@@ -1,4 +1,5 @@
-#include "pliant/quality/element_measures.h"  // tests/quality/element_measures_test.cpp
+// tests/quality/element_measures_test.cpp: measures of many elements at once are those of each one.
+#include "pliant/quality/element_measures.h"
 
 #include <catch2/catch.hpp>
 #include <cmath>

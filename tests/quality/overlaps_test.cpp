@@ -1,4 +1,5 @@
-#include "pliant/quality/overlaps.h"  // tests/quality/overlaps_test.cpp
+// tests/quality/overlaps_test.cpp: overlaps of triangles are found, and no others.
+#include "pliant/quality/overlaps.h"
 
 #include <catch2/catch.hpp>
 #include <random>

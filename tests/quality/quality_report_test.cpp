@@ -1,4 +1,5 @@
-#include "pliant/quality/quality_report.h"  // tests/quality/quality_report_test.cpp
+// tests/quality/quality_report_test.cpp: figures of the report against closed forms, and against each other.
+#include "pliant/quality/quality_report.h"
 
 #include <algorithm>
 #include <catch2/catch.hpp>

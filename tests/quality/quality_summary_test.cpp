@@ -1,3 +1,4 @@
+// tests/quality/quality_summary_test.cpp: a summary says what the report says.
 #include "pliant/quality/quality_summary.h"
 
 #include <algorithm>

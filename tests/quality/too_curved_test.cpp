@@ -1,4 +1,5 @@
-#include "pliant/quality/too_curved.h"  // tests/quality/too_curved_test.cpp
+// tests/quality/too_curved_test.cpp: when an element is too curved, and by how much.
+#include "pliant/quality/too_curved.h"
 
 #include <algorithm>
 #include <catch2/catch.hpp>

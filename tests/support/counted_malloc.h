@@ -1,4 +1,5 @@
-#pragma once  // tests/support/counted_malloc.h: counts what malloc is asked for; for one source of a program
+// tests/support/counted_malloc.h: counts what malloc is asked for; for one source of a program.
+#pragma once
 #include <atomic>
 #include <cstdlib>
 

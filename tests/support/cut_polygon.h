@@ -1,5 +1,5 @@
-#pragma once  // tests/support/cut_polygon.h: a convex function's least, by cutting a polygon at its centre, in long
-              // double
+// tests/support/cut_polygon.h: a convex function's least, by cutting a polygon at its centre, in long double.
+#pragma once
 #include <algorithm>
 #include <array>
 #include <cmath>

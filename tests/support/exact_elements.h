@@ -1,4 +1,5 @@
-#pragma once  // tests/support/exact_elements.h: random elements of integers, of which many have a known least det J
+// tests/support/exact_elements.h: random elements of integers, of which many have a known least det J.
+#pragma once
 #include <algorithm>
 #include <array>
 #include <complex>

@@ -1,4 +1,5 @@
-#pragma once  // tests/support/exact_jacobian.h: the least det J of an element, exactly; shares no code with the library
+// tests/support/exact_jacobian.h: the least det J of an element, exactly; shares no code with the library.
+#pragma once
 #include <boost/multiprecision/cpp_int.hpp>
 #include <cstddef>
 #include <vector>

@@ -1,4 +1,5 @@
-#pragma once  // tests/support/font_outlines.h: the outlines of a TrueType font as boundary complexes
+// tests/support/font_outlines.h: the outlines of a TrueType font as boundary complexes.
+#pragma once
 #include <ft2build.h>
 #include FT_FREETYPE_H
 #include FT_OUTLINE_H

@@ -1,5 +1,5 @@
-#pragma once  // tests/support/hard_boundaries.h: wings, gears and boxes of cells, on which meshing and refinement are
-              // tried
+// tests/support/hard_boundaries.h: wings, gears and boxes of cells, on which meshing and refinement are tried.
+#pragma once
 #include <algorithm>
 #include <cmath>
 #include <cstdint>

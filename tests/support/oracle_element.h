@@ -1,4 +1,5 @@
-#pragma once  // tests/support/oracle_element.h: det J and tau of one element as functions of a place, in long double
+// tests/support/oracle_element.h: det J and tau of one element as functions of a place, in long double.
+#pragma once
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -1,4 +1,5 @@
-#pragma once  // tests/support/placement_oracle.h: the best places of a star's point, found without the code under test
+// tests/support/placement_oracle.h: the best places of a star's point, found without the code under test.
+#pragma once
 #include <algorithm>
 #include <cmath>
 #include <cstddef>

@@ -1,4 +1,5 @@
-#pragma once  // tests/support/placement_stars.h: random elements around one control point that moves
+// tests/support/placement_stars.h: random elements around one control point that moves.
+#pragma once
 #include <array>
 #include <cmath>
 #include <cstddef>

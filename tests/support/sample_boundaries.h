@@ -1,4 +1,5 @@
-#pragma once  // tests/support/sample_boundaries.h: boundary complexes of many kinds, of any degree
+// tests/support/sample_boundaries.h: boundary complexes of many kinds, of any degree.
+#pragma once
 #include <cmath>
 #include <functional>
 #include <numbers>

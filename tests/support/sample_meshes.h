@@ -1,4 +1,5 @@
-#pragma once  // tests/support/sample_meshes.h: structurally correct meshes (M1–M6) made without any other layer
+// tests/support/sample_meshes.h: structurally correct meshes (M1–M6) made without any other layer.
+#pragma once
 #include <array>
 #include <cmath>
 #include <functional>

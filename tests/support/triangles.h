@@ -1,4 +1,5 @@
-#pragma once  // tests/support/triangles.h: control nets of single elements, random by seed or with a known det J
+// tests/support/triangles.h: control nets of single elements, random by seed or with a known det J.
+#pragma once
 #include <cmath>
 #include <complex>
 #include <cstddef>

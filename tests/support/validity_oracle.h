@@ -1,4 +1,5 @@
-#pragma once  // tests/support/validity_oracle.h: the sign of min det J in integers, by other ways than the library's
+// tests/support/validity_oracle.h: the sign of min det J in integers, by other ways than the library's.
+#pragma once
 #include <algorithm>
 #include <array>
 #include <boost/multiprecision/cpp_int.hpp>

@@ -1,3 +1,4 @@
+// lib/pliant/boundary/arrangement.cpp: disjoint faces from curves that cross, touch or overlap.
 #include "pliant/boundary/arrangement.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
-#pragma once  // lib/pliant/boundary/arrangement.h: disjoint faces from curves that cross, touch or overlap
+// lib/pliant/boundary/arrangement.h: disjoint faces from curves that cross, touch or overlap.
+#pragma once
 #include <span>
 #include <string>
 #include <vector>

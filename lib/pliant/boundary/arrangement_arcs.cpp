@@ -1,3 +1,4 @@
+// lib/pliant/boundary/arrangement_arcs.cpp: curves cut at all their intersections.
 #include "pliant/boundary/arrangement_arcs.h"
 
 #include <algorithm>
@@ -8,6 +9,7 @@
 
 #include "pliant/boundary/box_pairs.h"
 #include "pliant/boundary/curve_intersections.h"
+#include "pliant/boundary/curve_points.h"
 
 namespace pliant {
 namespace {

@@ -1,4 +1,5 @@
-#pragma once  // lib/pliant/boundary/arrangement_arcs.h: curves cut at all their intersections
+// lib/pliant/boundary/arrangement_arcs.h: curves cut at all their intersections.
+#pragma once
 #include <span>
 #include <vector>
 

@@ -1,10 +1,11 @@
+// lib/pliant/boundary/arrangement_curves.cpp: kept arcs become B-splines again.
 #include "pliant/boundary/arrangement_curves.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "pliant/boundary/arrangement_input.h"
-#include "pliant/boundary/curve_intersections.h"
+#include "pliant/boundary/curve_points.h"
 
 namespace pliant {
 namespace {

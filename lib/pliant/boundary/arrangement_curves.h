@@ -1,4 +1,5 @@
-#pragma once  // lib/pliant/boundary/arrangement_curves.h: kept arcs become B-splines again
+// lib/pliant/boundary/arrangement_curves.h: kept arcs become B-splines again.
+#pragma once
 #include "pliant/boundary/arrangement_graph.h"
 
 namespace pliant {

@@ -1,5 +1,5 @@
-#pragma once  // lib/pliant/boundary/arrangement_graph.h: the planar graph of arcs, its regions and their winding
-              // numbers
+// lib/pliant/boundary/arrangement_graph.h: the planar graph of arcs, its regions and their winding numbers.
+#pragma once
 #include <functional>
 
 #include "pliant/boundary/arrangement_arcs.h"

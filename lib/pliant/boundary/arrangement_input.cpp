@@ -1,3 +1,4 @@
+// lib/pliant/boundary/arrangement_input.cpp: curves that do not stop, fold back on a line or turn in no room.
 #include "pliant/boundary/arrangement_input.h"
 
 #include <algorithm>
@@ -5,7 +6,7 @@
 #include <numbers>
 
 #include "pliant/boundary/arrangement_curves.h"
-#include "pliant/boundary/curve_intersections.h"
+#include "pliant/boundary/curve_points.h"
 #include "pliant/geometry/turning_angle.h"
 
 namespace pliant {

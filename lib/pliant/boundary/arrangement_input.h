@@ -1,5 +1,5 @@
-#pragma once  // lib/pliant/boundary/arrangement_input.h: curves that do not stop, fold back on a line or turn in no
-              // room
+// lib/pliant/boundary/arrangement_input.h: curves that do not stop, fold back on a line or turn in no room.
+#pragma once
 #include <vector>
 
 #include "pliant/geometry/bspline.h"

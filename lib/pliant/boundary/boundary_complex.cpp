@@ -1,3 +1,4 @@
+// lib/pliant/boundary/boundary_complex.cpp: the input of a simulation: vertices, B-spline curves, faces (paper §7).
 #include "pliant/boundary/boundary_complex.h"
 
 #include <cassert>

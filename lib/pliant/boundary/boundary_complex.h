@@ -1,5 +1,5 @@
-#pragma once  // lib/pliant/boundary/boundary_complex.h: the input of a simulation: vertices, B-spline curves, faces
-              // (paper §7)
+// lib/pliant/boundary/boundary_complex.h: the input of a simulation: vertices, B-spline curves, faces (paper §7).
+#pragma once
 #include <string>
 #include <utility>
 #include <vector>

@@ -1,3 +1,4 @@
+// lib/pliant/boundary/boundary_spans.cpp: the Bézier spans of all curves, and the nodes that join them.
 #include "pliant/boundary/boundary_spans.h"
 
 namespace pliant {

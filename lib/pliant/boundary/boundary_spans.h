@@ -1,4 +1,5 @@
-#pragma once  // lib/pliant/boundary/boundary_spans.h: the Bézier spans of all curves, and the nodes that join them
+// lib/pliant/boundary/boundary_spans.h: the Bézier spans of all curves, and the nodes that join them.
+#pragma once
 #include <span>
 #include <string>
 #include <vector>

@@ -1,3 +1,4 @@
+// lib/pliant/boundary/box_pairs.cpp: which of many boxes overlap?
 #include "pliant/boundary/box_pairs.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
-#pragma once  // lib/pliant/boundary/box_pairs.h: which of many boxes overlap?
+// lib/pliant/boundary/box_pairs.h: which of many boxes overlap?
+#pragma once
 #include <array>
 #include <functional>
 #include <span>

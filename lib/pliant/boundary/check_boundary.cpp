@@ -1,4 +1,5 @@
-#include "pliant/boundary/check_boundary.h"  // lib/pliant/boundary/check_boundary.cpp: the structural faults
+// lib/pliant/boundary/check_boundary.cpp: the structural faults.
+#include "pliant/boundary/check_boundary.h"
 
 #include <map>
 #include <set>

@@ -1,4 +1,5 @@
-#pragma once  // lib/pliant/boundary/check_boundary.h: is this boundary complex well-formed?
+// lib/pliant/boundary/check_boundary.h: is this boundary complex well-formed?
+#pragma once
 #include <vector>
 
 #include "pliant/boundary/boundary_complex.h"

@@ -1,4 +1,5 @@
-#include <algorithm>  // lib/pliant/boundary/check_boundary_geometry.cpp: what a boundary that is to be meshed must hold
+// lib/pliant/boundary/check_boundary_geometry.cpp: what a boundary that is to be meshed must hold.
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numeric>

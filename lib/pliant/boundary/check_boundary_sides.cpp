@@ -1,4 +1,5 @@
-#include <algorithm>  // lib/pliant/boundary/check_boundary_sides.cpp: which face lies beside each curve?
+// lib/pliant/boundary/check_boundary_sides.cpp: which face lies beside each curve?
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>

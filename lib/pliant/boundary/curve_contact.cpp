@@ -1,3 +1,4 @@
+// lib/pliant/boundary/curve_contact.cpp: do Bézier curves cross or touch away from their common ends?
 #include "pliant/boundary/curve_contact.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
-#pragma once  // lib/pliant/boundary/curve_contact.h: do Bézier curves cross or touch away from their common ends?
+// lib/pliant/boundary/curve_contact.h: do Bézier curves cross or touch away from their common ends?
+#pragma once
 #include <array>
 #include <optional>
 #include <span>

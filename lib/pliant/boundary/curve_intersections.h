@@ -1,4 +1,5 @@
-#pragma once  // lib/pliant/boundary/curve_intersections.h: where do two Bézier curves meet? Bézier clipping
+// lib/pliant/boundary/curve_intersections.h: where do two Bézier curves meet? Bézier clipping.
+#pragma once
 #include <span>
 #include <vector>
 
@@ -16,10 +17,6 @@ struct CommonEnds {
   bool start_start = false, start_end = false, end_start = false, end_end = false;
 };
 
-/// The parameters in (0, 1), ascending, that cut a Bézier curve into pieces monotone in x and in y, none of them with
-/// an extent (of its control polygon) below `least`; coordinates smaller than `least` apart count as equal.
-std::vector<double> monotone_cuts(std::span<const Point> polygon, double least);
-
 /// Where two curves, monotone in x and in y, meet: crossings to the last digits that the angle allows; the ends of
 /// stretches along which they are closer than `tolerance` (overlaps, tangential contacts); ends of one that are that
 /// close to the other. A place may be reported more than once, a few tolerances apart. By Bézier clipping, Newton's
@@ -32,16 +29,5 @@ std::vector<Meeting> find_meetings(std::span<const Point> a, std::span<const Poi
 /// Only the ends of one that lie on the other, but for common ends.
 std::vector<Meeting> find_end_meetings(std::span<const Point> a, std::span<const Point> b, const CommonEnds& common,
                                        double tolerance);
-
-/// The curve's point nearest to p.
-struct Nearest {
-  double t;
-  double distance;
-};
-Nearest nearest_on_curve(std::span<const Point> polygon, const Point& p);
-
-/// The value at t, and the control points of the part [t0, t1] (as many as `polygon`; t1 < t0: reversed).
-Point bezier_point(std::span<const Point> polygon, double t);
-void bezier_part(std::span<const Point> polygon, double t0, double t1, std::span<Point> out);
 
 }  // namespace pliant

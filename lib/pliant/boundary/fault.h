@@ -1,4 +1,5 @@
-#pragma once  // lib/pliant/boundary/fault.h: one breach of an invariant, in words
+// lib/pliant/boundary/fault.h: one breach of an invariant, in words.
+#pragma once
 #include <stdexcept>
 #include <string>
 

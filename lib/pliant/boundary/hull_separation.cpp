@@ -1,3 +1,4 @@
+// lib/pliant/boundary/hull_separation.cpp: are two control polygons' convex hulls apart?
 #include "pliant/boundary/hull_separation.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
-#pragma once  // lib/pliant/boundary/hull_separation.h: are two control polygons' convex hulls apart?
+// lib/pliant/boundary/hull_separation.h: are two control polygons' convex hulls apart?
+#pragma once
 #include <span>
 
 #include "pliant/geometry/point.h"

@@ -1,4 +1,5 @@
-#include "pliant/flow/advect.h"  // lib/pliant/flow/advect.cpp
+// lib/pliant/flow/advect.cpp: one certified step of the moving mesh (paper §6).
+#include "pliant/flow/advect.h"
 
 #include <algorithm>
 #include <cmath>

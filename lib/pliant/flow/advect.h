@@ -1,4 +1,5 @@
-#pragma once  // lib/pliant/flow/advect.h: one certified step of the moving mesh (paper §6)
+// lib/pliant/flow/advect.h: one certified step of the moving mesh (paper §6).
+#pragma once
 #include <string>
 
 #include "pliant/flow/velocity_field.h"

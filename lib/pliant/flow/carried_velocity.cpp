@@ -1,4 +1,5 @@
-#include "pliant/flow/carried_velocity.h"  // lib/pliant/flow/carried_velocity.cpp
+// lib/pliant/flow/carried_velocity.cpp: the velocity that a mesh carries as a field, seen from its boundary.
+#include "pliant/flow/carried_velocity.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,5 @@
-#pragma once  // lib/pliant/flow/carried_velocity.h: the velocity that a mesh carries as a field, seen from its boundary
+// lib/pliant/flow/carried_velocity.h: the velocity that a mesh carries as a field, seen from its boundary.
+#pragma once
 #include <cstddef>
 #include <vector>
 

@@ -1,4 +1,5 @@
-#include "pliant/flow/interpolate_nodes.h"  // lib/pliant/flow/interpolate_nodes.cpp
+// lib/pliant/flow/interpolate_nodes.cpp: a function of place, brought into the basis of the mesh (paper §6.1).
+#include "pliant/flow/interpolate_nodes.h"
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,5 @@
-#pragma once  // lib/pliant/flow/interpolate_nodes.h: a function of place, brought into the basis of the mesh (paper
-              // §6.1)
+// lib/pliant/flow/interpolate_nodes.h: a function of place, brought into the basis of the mesh (paper §6.1).
+#pragma once
 #include <functional>
 #include <span>
 #include <string>

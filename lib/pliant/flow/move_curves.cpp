@@ -1,4 +1,5 @@
-#include "pliant/flow/move_curves.h"  // lib/pliant/flow/move_curves.cpp
+// lib/pliant/flow/move_curves.cpp: the boundary complex carried along as splines (paper §6; design: Motion).
+#include "pliant/flow/move_curves.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,5 @@
-#pragma once  // lib/pliant/flow/move_curves.h: the boundary complex carried along as splines (paper §6; design: Motion)
+// lib/pliant/flow/move_curves.h: the boundary complex carried along as splines (paper §6; design: Motion).
+#pragma once
 #include <functional>
 #include <vector>
 

@@ -1,4 +1,5 @@
-#include "pliant/flow/move_elements.h"  // lib/pliant/flow/move_elements.cpp
+// lib/pliant/flow/move_elements.cpp: the control points of a mesh whose boundary has moved.
+#include "pliant/flow/move_elements.h"
 
 namespace pliant {
 

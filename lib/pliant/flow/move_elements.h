@@ -1,4 +1,5 @@
-#pragma once  // lib/pliant/flow/move_elements.h: the control points of a mesh whose boundary has moved
+// lib/pliant/flow/move_elements.h: the control points of a mesh whose boundary has moved.
+#pragma once
 #include <functional>
 #include <span>
 #include <vector>

@@ -1,4 +1,4 @@
-// lib/pliant/flow/named_flows.cpp: closed-form flows by name: their parameters and velocities
+// lib/pliant/flow/named_flows.cpp: closed-form flows by name: their parameters and velocities.
 #include <algorithm>
 #include <cmath>
 #include <numbers>

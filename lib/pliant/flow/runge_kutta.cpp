@@ -1,4 +1,5 @@
-#include "pliant/flow/runge_kutta.h"  // lib/pliant/flow/runge_kutta.cpp
+// lib/pliant/flow/runge_kutta.cpp: where a flow carries one point.
+#include "pliant/flow/runge_kutta.h"
 
 #include <cassert>
 

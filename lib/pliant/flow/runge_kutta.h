@@ -1,4 +1,5 @@
-#pragma once  // lib/pliant/flow/runge_kutta.h: where a flow carries one point
+// lib/pliant/flow/runge_kutta.h: where a flow carries one point.
+#pragma once
 #include "pliant/flow/velocity_field.h"
 
 namespace pliant {

@@ -1,4 +1,5 @@
-#pragma once  // lib/pliant/flow/velocity_field.h: velocities as functions of place and time (paper §6.1)
+// lib/pliant/flow/velocity_field.h: velocities as functions of place and time (paper §6.1).
+#pragma once
 #include <functional>
 #include <map>
 #include <string>

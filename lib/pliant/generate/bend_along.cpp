@@ -1,4 +1,4 @@
-// lib/pliant/generate/bend_along.cpp: thin elements beside a curve take up its bend as a whole
+// lib/pliant/generate/bend_along.cpp: thin elements beside a curve take up its bend as a whole.
 #include <algorithm>
 #include <array>
 

@@ -1,4 +1,5 @@
-#include "pliant/generate/delaunay.h"  // lib/pliant/generate/delaunay.cpp: the points
+// lib/pliant/generate/delaunay.cpp: the points.
+#include "pliant/generate/delaunay.h"
 
 #include <algorithm>
 #include <cstdint>

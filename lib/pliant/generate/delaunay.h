@@ -1,4 +1,5 @@
-#pragma once  // lib/pliant/generate/delaunay.h: an incremental constrained Delaunay triangulation (private to generate)
+// lib/pliant/generate/delaunay.h: an incremental constrained Delaunay triangulation (private to generate).
+#pragma once
 #include <array>
 #include <span>
 #include <vector>

@@ -1,4 +1,5 @@
-#include <deque>  // lib/pliant/generate/delaunay_segments.cpp: segments, by flips (Sloan 1993)
+// lib/pliant/generate/delaunay_segments.cpp: segments, by flips (Sloan 1993).
+#include <deque>
 
 #include "pliant/generate/delaunay.h"
 #include "pliant/geometry/predicates.h"

@@ -1,3 +1,4 @@
+// lib/pliant/generate/lift_triangles.cpp: Bézier triangles over a planar mesh, certified (paper §6).
 #include "pliant/generate/lift_triangles.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
-#pragma once  // lib/pliant/generate/lift_triangles.h: Bézier triangles over a planar mesh, certified (paper §6)
+// lib/pliant/generate/lift_triangles.h: Bézier triangles over a planar mesh, certified (paper §6).
+#pragma once
 #include <array>
 #include <optional>
 #include <span>

@@ -1,3 +1,4 @@
+// lib/pliant/generate/mesh_from_boundary.cpp: the first mesh of a boundary complex (paper §6).
 #include "pliant/generate/mesh_from_boundary.h"
 
 #include <algorithm>

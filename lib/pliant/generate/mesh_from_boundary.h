@@ -1,4 +1,5 @@
-#pragma once  // lib/pliant/generate/mesh_from_boundary.h: the first mesh of a boundary complex (paper §6)
+// lib/pliant/generate/mesh_from_boundary.h: the first mesh of a boundary complex (paper §6).
+#pragma once
 #include <string>
 
 #include "pliant/boundary/boundary_complex.h"

@@ -1,3 +1,4 @@
+// lib/pliant/generate/planar_mesh.cpp: the faces triangulated by the chords of their curves.
 #include "pliant/generate/planar_mesh.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
-#pragma once  // lib/pliant/generate/planar_mesh.h: the faces triangulated by the chords of their curves
+// lib/pliant/generate/planar_mesh.h: the faces triangulated by the chords of their curves.
+#pragma once
 #include <array>
 #include <string>
 #include <vector>

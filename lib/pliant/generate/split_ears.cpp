@@ -1,4 +1,5 @@
-#include <algorithm>  // lib/pliant/generate/split_ears.cpp: where the ears at smooth and reflex corners get a point
+// lib/pliant/generate/split_ears.cpp: where the ears at smooth and reflex corners get a point.
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 

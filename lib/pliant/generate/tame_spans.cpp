@@ -1,4 +1,4 @@
-// lib/pliant/generate/tame_spans.cpp: rounds of splits: what turns too much, and pairs of spans that come too close
+// lib/pliant/generate/tame_spans.cpp: rounds of splits: what turns too much, and pairs of spans that come too close.
 #include "pliant/generate/tame_spans.h"
 
 #include <algorithm>

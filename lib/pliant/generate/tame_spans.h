@@ -1,4 +1,5 @@
-#pragma once  // lib/pliant/generate/tame_spans.h: knots inserted until every span may be replaced by its chord
+// lib/pliant/generate/tame_spans.h: knots inserted until every span may be replaced by its chord.
+#pragma once
 #include <array>
 #include <string>
 #include <vector>

@@ -1,3 +1,4 @@
+// lib/pliant/generate/triangulate_boundary.cpp: constrained Delaunay triangulation of a planar straight-line graph.
 #include "pliant/generate/triangulate_boundary.h"
 
 #include <stdexcept>

@@ -1,5 +1,5 @@
-#pragma once  // lib/pliant/generate/triangulate_boundary.h: constrained Delaunay triangulation of a planar
-              // straight-line graph
+// lib/pliant/generate/triangulate_boundary.h: constrained Delaunay triangulation of a planar straight-line graph.
+#pragma once
 #include <array>
 #include <span>
 #include <stdexcept>

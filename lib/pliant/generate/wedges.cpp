@@ -1,4 +1,4 @@
-// lib/pliant/generate/wedges.cpp: pairs of tangents at each vertex; distances from the corner
+// lib/pliant/generate/wedges.cpp: pairs of tangents at each vertex; distances from the corner.
 #include "pliant/generate/wedges.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
-// lib/pliant/generate/wedges.h: curves that leave a vertex in nearly the same direction, and spans of equal reach there
+// lib/pliant/generate/wedges.h: curves that leave a vertex in nearly the same direction, and spans of equal reach
+// there.
 #pragma once
 #include <array>
 #include <map>

@@ -1,4 +1,5 @@
-#include "pliant/geometry/affine_program.h"  // lib/pliant/geometry/affine_program.cpp: dual simplex in three variables
+// lib/pliant/geometry/affine_program.cpp: dual simplex in three variables.
+#include "pliant/geometry/affine_program.h"
 
 #include <algorithm>
 #include <cassert>

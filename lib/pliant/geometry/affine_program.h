@@ -1,4 +1,5 @@
-#pragma once  // lib/pliant/geometry/affine_program.h: the place where the least of affine functions is greatest
+// lib/pliant/geometry/affine_program.h: the place where the least of affine functions is greatest.
+#pragma once
 #include <array>
 #include <span>
 

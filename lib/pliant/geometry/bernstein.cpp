@@ -1,4 +1,5 @@
-#include "pliant/geometry/bernstein.h"  // lib/pliant/geometry/bernstein.cpp: by the definitions, with exact binomials
+// lib/pliant/geometry/bernstein.cpp: by the definitions, with exact binomials.
+#include "pliant/geometry/bernstein.h"
 
 #include <algorithm>
 #include <array>

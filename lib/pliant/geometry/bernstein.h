@@ -1,4 +1,5 @@
-#pragma once  // lib/pliant/geometry/bernstein.h: scalar polynomials in Bernstein form, on [0, 1] and on the triangle
+// lib/pliant/geometry/bernstein.h: scalar polynomials in Bernstein form, on [0, 1] and on the triangle.
+#pragma once
 #include <span>
 
 #include "pliant/geometry/net_layout.h"

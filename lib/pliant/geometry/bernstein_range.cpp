@@ -1,4 +1,5 @@
-#include "pliant/geometry/bernstein_range.h"  // lib/pliant/geometry/bernstein_range.cpp: pieces, the lowest one divided next
+// lib/pliant/geometry/bernstein_range.cpp: pieces, the lowest one divided next.
+#include "pliant/geometry/bernstein_range.h"
 
 #include <algorithm>
 #include <array>

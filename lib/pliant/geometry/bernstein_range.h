@@ -1,4 +1,5 @@
-#pragma once  // lib/pliant/geometry/bernstein_range.h: extrema of a polynomial on the triangle, enclosed
+// lib/pliant/geometry/bernstein_range.h: extrema of a polynomial on the triangle, enclosed.
+#pragma once
 #include <span>
 
 #include "pliant/geometry/validity.h"

@@ -1,4 +1,5 @@
-#pragma once  // lib/pliant/geometry/bisect_net.h: halving a triangle of Bernstein coefficients (private to this layer)
+// lib/pliant/geometry/bisect_net.h: halving a triangle of Bernstein coefficients (private to this layer).
+#pragma once
 #include <array>
 #include <cstddef>
 #include <vector>

@@ -1,4 +1,5 @@
-#include "pliant/geometry/bspline.h"  // lib/pliant/geometry/bspline.cpp: knots, breaks, de Boor, Bézier extraction
+// lib/pliant/geometry/bspline.cpp: knots, breaks, de Boor, Bézier extraction.
+#include "pliant/geometry/bspline.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,5 @@
-#pragma once  // lib/pliant/geometry/bspline.h: planar B-spline curves of any degree, open (clamped) and closed
+// lib/pliant/geometry/bspline.h: planar B-spline curves of any degree, open (clamped) and closed.
+#pragma once
 #include <cstdint>
 #include <limits>
 #include <optional>

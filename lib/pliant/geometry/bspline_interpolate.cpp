@@ -1,4 +1,5 @@
-#include <algorithm>  // lib/pliant/geometry/bspline_interpolate.cpp: Greville abscissae, interpolation by a banded solve
+// lib/pliant/geometry/bspline_interpolate.cpp: Greville abscissae, interpolation by a banded solve.
+#include <algorithm>
 #include <array>
 #include <cassert>
 #include <cmath>

@@ -1,4 +1,5 @@
-#include <algorithm>  // lib/pliant/geometry/bspline_knots.cpp: knot insertion and removal, degree elevation
+// lib/pliant/geometry/bspline_knots.cpp: knot insertion and removal, degree elevation.
+#include <algorithm>
 #include <array>
 #include <cassert>
 #include <cmath>

@@ -1,4 +1,5 @@
-#include <array>  // lib/pliant/geometry/bspline_measure.cpp: area and length of a B-spline curve
+// lib/pliant/geometry/bspline_measure.cpp: area and length of a B-spline curve.
+#include <array>
 #include <cmath>
 #include <cstddef>
 

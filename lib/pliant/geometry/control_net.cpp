@@ -1,4 +1,5 @@
-#include "pliant/geometry/control_net.h"  // lib/pliant/geometry/control_net.cpp: evaluation, splitting, elevation
+// lib/pliant/geometry/control_net.cpp: evaluation, splitting, elevation.
+#include "pliant/geometry/control_net.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,5 @@
-#pragma once  // lib/pliant/geometry/control_net.h: de Casteljau on rows of control values (position, then fields)
+// lib/pliant/geometry/control_net.h: de Casteljau on rows of control values (position, then fields).
+#pragma once
 #include <span>
 
 #include "pliant/geometry/net_layout.h"

@@ -1,3 +1,4 @@
+// lib/pliant/geometry/describe.cpp: numbers and places in words, with as many digits as they need.
 #include "pliant/geometry/describe.h"
 
 #include <algorithm>

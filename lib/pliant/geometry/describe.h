@@ -1,4 +1,5 @@
-#pragma once  // lib/pliant/geometry/describe.h: numbers and places in words, with as many digits as they need
+// lib/pliant/geometry/describe.h: numbers and places in words, with as many digits as they need.
+#pragma once
 #include <span>
 #include <string>
 #include <vector>

@@ -1,4 +1,5 @@
-#include "pliant/geometry/disk_program.h"  // lib/pliant/geometry/disk_program.cpp: exchange of at most three disks
+// lib/pliant/geometry/disk_program.cpp: exchange of at most three disks.
+#include "pliant/geometry/disk_program.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,5 @@
-#pragma once  // lib/pliant/geometry/disk_program.h: the place where the least shape of many triangles is greatest
+// lib/pliant/geometry/disk_program.h: the place where the least shape of many triangles is greatest.
+#pragma once
 #include <array>
 #include <cstddef>
 #include <optional>

@@ -1,4 +1,5 @@
-#include "pliant/geometry/douglas_peucker.h"  // lib/pliant/geometry/douglas_peucker.cpp: an iterative simplification
+// lib/pliant/geometry/douglas_peucker.cpp: an iterative simplification.
+#include "pliant/geometry/douglas_peucker.h"
 
 #include <algorithm>
 #include <cstddef>

@@ -1,4 +1,5 @@
-#pragma once  // lib/pliant/geometry/douglas_peucker.h: the points that keep a polyline's shape (paper §5.3.3)
+// lib/pliant/geometry/douglas_peucker.h: the points that keep a polyline's shape (paper §5.3.3).
+#pragma once
 #include <span>
 #include <vector>
 

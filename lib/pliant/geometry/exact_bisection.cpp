@@ -1,4 +1,5 @@
-#include "pliant/geometry/exact_bisection.h"  // lib/pliant/geometry/exact_bisection.cpp: the lowest piece is divided next
+// lib/pliant/geometry/exact_bisection.cpp: the lowest piece is divided next.
+#include "pliant/geometry/exact_bisection.h"
 
 #include <algorithm>
 #include <array>

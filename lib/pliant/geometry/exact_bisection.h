@@ -1,5 +1,5 @@
-#pragma once  // lib/pliant/geometry/exact_bisection.h: is a polynomial of long integers positive? (private to this
-              // layer)
+// lib/pliant/geometry/exact_bisection.h: is a polynomial of long integers positive? (private to this layer).
+#pragma once
 #include "pliant/geometry/exact_validity.h"
 #include "pliant/geometry/limb_net.h"
 

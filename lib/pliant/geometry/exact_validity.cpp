@@ -1,4 +1,5 @@
-#include "pliant/geometry/exact_validity.h"  // lib/pliant/geometry/exact_validity.cpp: signs of integers, never rounded
+// lib/pliant/geometry/exact_validity.cpp: signs of integers, never rounded.
+#include "pliant/geometry/exact_validity.h"
 
 #include <algorithm>
 #include <array>

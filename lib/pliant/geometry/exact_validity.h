@@ -1,4 +1,5 @@
-#pragma once  // lib/pliant/geometry/exact_validity.h: the certificate in exact arithmetic (private to this layer)
+// lib/pliant/geometry/exact_validity.h: the certificate in exact arithmetic (private to this layer).
+#pragma once
 #include <span>
 
 #include "pliant/geometry/validity.h"

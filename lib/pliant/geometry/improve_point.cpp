@@ -1,4 +1,5 @@
-#include <algorithm>  // lib/pliant/geometry/improve_point.cpp: a quasiconvex program over points of the elements, with cuts
+// lib/pliant/geometry/improve_point.cpp: a quasiconvex program over points of the elements, with cuts.
+#include <algorithm>
 #include <array>
 #include <cassert>
 #include <cstddef>

@@ -1,4 +1,4 @@
-// lib/pliant/geometry/interpolate_net.cpp: nodal values to control values (declared in control_net.h)
+// lib/pliant/geometry/interpolate_net.cpp: nodal values to control values (declared in control_net.h).
 #include <array>
 #include <cassert>
 #include <cmath>

@@ -1,4 +1,5 @@
-#include "pliant/geometry/invert_map.h"  // lib/pliant/geometry/invert_map.cpp: Newton, and bisection where it fails
+// lib/pliant/geometry/invert_map.cpp: Newton, and bisection where it fails.
+#include "pliant/geometry/invert_map.h"
 
 #include <algorithm>
 #include <array>

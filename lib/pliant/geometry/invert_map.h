@@ -1,4 +1,5 @@
-#pragma once  // lib/pliant/geometry/invert_map.h: Newton's method for chi(xi) = p (paper §5.2.1)
+// lib/pliant/geometry/invert_map.h: Newton's method for chi(xi) = p (paper §5.2.1).
+#pragma once
 #include <optional>
 #include <span>
 

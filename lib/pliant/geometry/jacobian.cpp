@@ -1,4 +1,5 @@
-#include "pliant/geometry/jacobian.h"  // lib/pliant/geometry/jacobian.cpp: sums of cross products of differences
+// lib/pliant/geometry/jacobian.cpp: sums of cross products of differences.
+#include "pliant/geometry/jacobian.h"
 
 #include <algorithm>
 #include <cassert>

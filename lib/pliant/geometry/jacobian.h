@@ -1,4 +1,5 @@
-#pragma once  // lib/pliant/geometry/jacobian.h: det J of an element in Bernstein form (paper §5.4)
+// lib/pliant/geometry/jacobian.h: det J of an element in Bernstein form (paper §5.4).
+#pragma once
 #include <span>
 #include <vector>
 

@@ -1,4 +1,5 @@
-#include "pliant/geometry/jacobian_enclosure.h"  // lib/pliant/geometry/jacobian_enclosure.cpp: coefficients and their error bound
+// lib/pliant/geometry/jacobian_enclosure.cpp: coefficients and their error bound.
+#include "pliant/geometry/jacobian_enclosure.h"
 
 #include <algorithm>
 #include <cassert>

@@ -1,4 +1,5 @@
-#pragma once  // lib/pliant/geometry/jacobian_enclosure.h: det J with a floating-point error bound (private)
+// lib/pliant/geometry/jacobian_enclosure.h: det J with a floating-point error bound (private).
+#pragma once
 #include <array>
 #include <span>
 

@@ -1,4 +1,5 @@
-#include <array>  // lib/pliant/geometry/jacobian_range.cpp: enclosures of the extrema of det J
+// lib/pliant/geometry/jacobian_range.cpp: enclosures of the extrema of det J.
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <cstddef>

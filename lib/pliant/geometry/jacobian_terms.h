@@ -1,4 +1,5 @@
-#pragma once  // lib/pliant/geometry/jacobian_terms.h: det J as a sum of cross products (private to this layer)
+// lib/pliant/geometry/jacobian_terms.h: det J as a sum of cross products (private to this layer).
+#pragma once
 #include <array>
 #include <span>
 #include <vector>

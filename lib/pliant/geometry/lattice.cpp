@@ -1,4 +1,5 @@
-#include "pliant/geometry/lattice.h"  // lib/pliant/geometry/lattice.cpp: one table a degree
+// lib/pliant/geometry/lattice.cpp: one table a degree.
+#include "pliant/geometry/lattice.h"
 
 #include <cassert>
 #include <cstddef>

@@ -1,4 +1,5 @@
-#pragma once  // lib/pliant/geometry/lattice.h: the order of a net's rows inside de Casteljau (private to this layer)
+// lib/pliant/geometry/lattice.h: the order of a net's rows inside de Casteljau (private to this layer).
+#pragma once
 #include <vector>
 
 namespace pliant {

@@ -1,4 +1,5 @@
-#pragma once  // lib/pliant/geometry/limb_net.h: Bernstein coefficients that are long integers, side by side (private)
+// lib/pliant/geometry/limb_net.h: Bernstein coefficients that are long integers, side by side (private).
+#pragma once
 #include <algorithm>
 #include <cmath>
 #include <cstddef>

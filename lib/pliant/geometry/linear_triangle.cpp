@@ -1,4 +1,5 @@
-#include "pliant/geometry/linear_triangle.h"  // lib/pliant/geometry/linear_triangle.cpp: measures of straight triangles
+// lib/pliant/geometry/linear_triangle.cpp: measures of straight triangles.
+#include "pliant/geometry/linear_triangle.h"
 
 #include <algorithm>
 #include <limits>

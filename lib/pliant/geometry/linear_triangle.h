@@ -1,4 +1,5 @@
-#pragma once  // lib/pliant/geometry/linear_triangle.h: straight triangles: area, circumcentre, shape (paper §5.5)
+// lib/pliant/geometry/linear_triangle.h: straight triangles: area, circumcentre, shape (paper §5.5).
+#pragma once
 #include "pliant/geometry/point.h"
 
 namespace pliant {

@@ -1,3 +1,4 @@
+// lib/pliant/geometry/net_layout.cpp: in which order the control points of a Bézier triangle stand.
 #include "pliant/geometry/net_layout.h"
 
 #include <cassert>

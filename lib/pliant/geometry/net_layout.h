@@ -1,4 +1,5 @@
-#pragma once  // lib/pliant/geometry/net_layout.h: in which order the control points of a Bézier triangle stand
+// lib/pliant/geometry/net_layout.h: in which order the control points of a Bézier triangle stand.
+#pragma once
 #include <array>
 #include <vector>
 

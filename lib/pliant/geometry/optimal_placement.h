@@ -1,4 +1,5 @@
-#pragma once  // lib/pliant/geometry/optimal_placement.h: the best place of one control point (paper §5.5)
+// lib/pliant/geometry/optimal_placement.h: the best place of one control point (paper §5.5).
+#pragma once
 #include <span>
 
 #include "pliant/geometry/point.h"

@@ -1,5 +1,5 @@
-#pragma once  // lib/pliant/geometry/placement_star.h: the elements around a moving control point (private to this
-              // layer)
+// lib/pliant/geometry/placement_star.h: the elements around a moving control point (private to this layer).
+#pragma once
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -1,4 +1,5 @@
-#pragma once  // lib/pliant/geometry/point.h: locations, vectors and barycentric coordinates of the plane
+// lib/pliant/geometry/point.h: locations, vectors and barycentric coordinates of the plane.
+#pragma once
 #include <array>
 #include <cmath>
 

@@ -1,4 +1,5 @@
-#include "pliant/geometry/predicates.h"  // lib/pliant/geometry/predicates.cpp: filtered, then integer arithmetic
+// lib/pliant/geometry/predicates.cpp: filtered, then integer arithmetic.
+#include "pliant/geometry/predicates.h"
 
 #include <algorithm>
 #include <array>

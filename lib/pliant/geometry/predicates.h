@@ -1,4 +1,5 @@
-#pragma once  // lib/pliant/geometry/predicates.h: exact signs of orientation and in-circle determinants
+// lib/pliant/geometry/predicates.h: exact signs of orientation and in-circle determinants.
+#pragma once
 #include "pliant/geometry/point.h"
 
 namespace pliant {

@@ -1,4 +1,5 @@
-#include "pliant/geometry/protective_lens.h"  // lib/pliant/geometry/protective_lens.cpp: lenses seen from a point
+// lib/pliant/geometry/protective_lens.cpp: lenses seen from a point.
+#include "pliant/geometry/protective_lens.h"
 
 #include <algorithm>
 #include <cmath>

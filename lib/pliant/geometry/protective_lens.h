@@ -1,4 +1,5 @@
-#pragma once  // lib/pliant/geometry/protective_lens.h: does a point encroach on a curved boundary edge? (paper §5.3.2)
+// lib/pliant/geometry/protective_lens.h: does a point encroach on a curved boundary edge? (paper §5.3.2).
+#pragma once
 #include <span>
 
 #include "pliant/geometry/point.h"

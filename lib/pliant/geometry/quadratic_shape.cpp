@@ -1,4 +1,5 @@
-#include "pliant/geometry/quadratic_shape.h"  // lib/pliant/geometry/quadratic_shape.cpp: Dinkelbach's method
+// lib/pliant/geometry/quadratic_shape.cpp: Dinkelbach's method.
+#include "pliant/geometry/quadratic_shape.h"
 
 #include <algorithm>
 #include <cmath>

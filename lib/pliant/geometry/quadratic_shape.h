@@ -1,4 +1,5 @@
-#pragma once  // lib/pliant/geometry/quadratic_shape.h: the least pointwise shape of an element of degree 2 (private)
+// lib/pliant/geometry/quadratic_shape.h: the least pointwise shape of an element of degree 2 (private).
+#pragma once
 #include <array>
 
 #include "pliant/geometry/shape_bounds.h"

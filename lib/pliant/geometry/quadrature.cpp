@@ -1,4 +1,5 @@
-#include "pliant/geometry/quadrature.h"  // lib/pliant/geometry/quadrature.cpp: symmetric and collapsed Gauss rules
+// lib/pliant/geometry/quadrature.cpp: symmetric and collapsed Gauss rules.
+#include "pliant/geometry/quadrature.h"
 
 #include <array>
 #include <cassert>

@@ -1,4 +1,5 @@
-#pragma once  // lib/pliant/geometry/quadrature.h: points and weights on the unit right triangle and on [0, 1]
+// lib/pliant/geometry/quadrature.h: points and weights on the unit right triangle and on [0, 1].
+#pragma once
 #include <span>
 
 #include "pliant/geometry/point.h"

@@ -1,5 +1,5 @@
-#pragma once  // lib/pliant/geometry/sequence.h: an array in which a value may be inserted or erased anywhere at little
-              // cost
+// lib/pliant/geometry/sequence.h: an array in which a value may be inserted or erased anywhere at little cost.
+#pragma once
 #include <algorithm>
 #include <compare>
 #include <cstddef>

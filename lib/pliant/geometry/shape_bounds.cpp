@@ -1,4 +1,5 @@
-#include "pliant/geometry/shape_bounds.h"  // lib/pliant/geometry/shape_bounds.cpp: branch and bound on Bernstein ratios
+// lib/pliant/geometry/shape_bounds.cpp: branch and bound on Bernstein ratios.
+#include "pliant/geometry/shape_bounds.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,5 @@
-#pragma once  // lib/pliant/geometry/shape_bounds.h: the least pointwise shape of a curved element, enclosed
+// lib/pliant/geometry/shape_bounds.h: the least pointwise shape of a curved element, enclosed.
+#pragma once
 #include <span>
 
 #include "pliant/geometry/point.h"

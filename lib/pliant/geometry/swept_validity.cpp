@@ -1,4 +1,5 @@
-#include "pliant/geometry/swept_validity.h"  // lib/pliant/geometry/swept_validity.cpp: bisection in space, halving in time
+// lib/pliant/geometry/swept_validity.cpp: bisection in space, halving in time.
+#include "pliant/geometry/swept_validity.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,5 @@
-#pragma once  // lib/pliant/geometry/swept_validity.h: validity during a straight motion of the control points
+// lib/pliant/geometry/swept_validity.h: validity during a straight motion of the control points.
+#pragma once
 #include <span>
 
 #include "pliant/geometry/point.h"

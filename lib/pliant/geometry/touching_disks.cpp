@@ -1,3 +1,4 @@
+// lib/pliant/geometry/touching_disks.cpp: the disks beside a curve that reach the next point of a curve.
 #include "pliant/geometry/touching_disks.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
-#pragma once  // lib/pliant/geometry/touching_disks.h: the disks beside a curve that reach the next point of a curve
+// lib/pliant/geometry/touching_disks.h: the disks beside a curve that reach the next point of a curve.
+#pragma once
 #include <array>
 #include <span>
 #include <vector>

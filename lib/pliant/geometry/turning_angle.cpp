@@ -1,4 +1,5 @@
-#include "pliant/geometry/turning_angle.h"  // lib/pliant/geometry/turning_angle.cpp: angles between the polygon's legs
+// lib/pliant/geometry/turning_angle.cpp: angles between the polygon's legs.
+#include "pliant/geometry/turning_angle.h"
 
 namespace pliant {
 

@@ -1,4 +1,5 @@
-#pragma once  // lib/pliant/geometry/turning_angle.h: by how much a Bézier curve turns
+// lib/pliant/geometry/turning_angle.h: by how much a Bézier curve turns.
+#pragma once
 #include <span>
 
 #include "pliant/geometry/point.h"

@@ -1,4 +1,5 @@
-#include <algorithm>  // lib/pliant/geometry/untangle_point.cpp: a linear program over det J's coefficients, with cuts
+// lib/pliant/geometry/untangle_point.cpp: a linear program over det J's coefficients, with cuts.
+#include <algorithm>
 #include <array>
 #include <cassert>
 #include <cmath>

@@ -1,4 +1,5 @@
-#include "pliant/geometry/validity.h"  // lib/pliant/geometry/validity.cpp: floating-point filter and bisection; the rest is exact_validity
+// lib/pliant/geometry/validity.cpp: floating-point filter and bisection; the rest is exact_validity.
+#include "pliant/geometry/validity.h"
 
 #include <algorithm>
 #include <array>

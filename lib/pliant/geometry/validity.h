@@ -1,4 +1,5 @@
-#pragma once  // lib/pliant/geometry/validity.h: is det J > 0 on the whole closed element? A proof (design: validity)
+// lib/pliant/geometry/validity.h: is det J > 0 on the whole closed element? A proof (design: validity).
+#pragma once
 #include <span>
 
 #include "pliant/geometry/point.h"

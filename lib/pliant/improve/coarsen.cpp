@@ -1,3 +1,4 @@
+// lib/pliant/improve/coarsen.cpp: remove vertices that neither size nor geometry needs (paper §5.3.3).
 #include "pliant/improve/coarsen.h"
 
 #include <algorithm>

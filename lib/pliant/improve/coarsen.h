@@ -1,4 +1,5 @@
-#pragma once  // lib/pliant/improve/coarsen.h: remove vertices that neither size nor geometry needs (paper §5.3.3)
+// lib/pliant/improve/coarsen.h: remove vertices that neither size nor geometry needs (paper §5.3.3).
+#pragma once
 #include "pliant/improve/sizing.h"
 #include "pliant/mesh/pass_report.h"
 #include "pliant/ops/outcome.h"

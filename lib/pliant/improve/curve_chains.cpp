@@ -1,3 +1,4 @@
+// lib/pliant/improve/curve_chains.cpp: the vertices on each curve, in its order.
 #include "pliant/improve/curve_chains.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
-#pragma once  // lib/pliant/improve/curve_chains.h: the vertices on each curve, in its order
+// lib/pliant/improve/curve_chains.h: the vertices on each curve, in its order.
+#pragma once
 #include <vector>
 
 #include "pliant/mesh/mesh.h"

@@ -1,3 +1,4 @@
+// lib/pliant/improve/deformation_energy.cpp: how far an element's map is from that of a wanted triangle.
 #include "pliant/improve/deformation_energy.h"
 
 #include <algorithm>

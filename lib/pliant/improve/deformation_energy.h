@@ -1,4 +1,5 @@
-#pragma once  // lib/pliant/improve/deformation_energy.h: how far an element's map is from that of a wanted triangle
+// lib/pliant/improve/deformation_energy.h: how far an element's map is from that of a wanted triangle.
+#pragma once
 #include <array>
 #include <cstdint>
 #include <span>

@@ -1,3 +1,4 @@
+// lib/pliant/improve/enforce_delaunay.cpp: flips until the logical mesh is Delaunay (paper §5.3.1).
 #include "pliant/improve/enforce_delaunay.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
-#pragma once  // lib/pliant/improve/enforce_delaunay.h: flips until the logical mesh is Delaunay (paper §5.3.1)
+// lib/pliant/improve/enforce_delaunay.h: flips until the logical mesh is Delaunay (paper §5.3.1).
+#pragma once
 #include "pliant/mesh/mesh.h"
 #include "pliant/mesh/pass_report.h"
 #include "pliant/ops/outcome.h"

@@ -1,3 +1,4 @@
+// lib/pliant/improve/free_points.cpp: new places for all control points of a mesh, free ones in blocks.
 #include "pliant/improve/free_points.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
-#pragma once  // lib/pliant/improve/free_points.h: new places for all control points of a mesh, free ones in blocks
+// lib/pliant/improve/free_points.h: new places for all control points of a mesh, free ones in blocks.
+#pragma once
 #include <array>
 #include <span>
 #include <vector>

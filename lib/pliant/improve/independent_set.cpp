@@ -1,3 +1,4 @@
+// lib/pliant/improve/independent_set.cpp: which vertices coarsening keeps (Talmor; Miller et al.; §5.3.3).
 #include "pliant/improve/independent_set.h"
 
 #include <algorithm>

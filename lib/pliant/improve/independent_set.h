@@ -1,4 +1,5 @@
-#pragma once  // lib/pliant/improve/independent_set.h: which vertices coarsening keeps (Talmor; Miller et al.; §5.3.3)
+// lib/pliant/improve/independent_set.h: which vertices coarsening keeps (Talmor; Miller et al.; §5.3.3).
+#pragma once
 #include <vector>
 
 #include "pliant/improve/spacing.h"

@@ -1,4 +1,4 @@
-// lib/pliant/improve/insertion_search.cpp: a walk, a cavity, and the lenses at its border
+// lib/pliant/improve/insertion_search.cpp: a walk, a cavity, and the lenses at its border.
 #include "pliant/improve/insertion_search.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// lib/pliant/improve/insertion_search.h: what stands in the way of a point that refinement would insert (paper §5.3.2)
+// lib/pliant/improve/insertion_search.h: what stands in the way of a point that refinement would insert (paper §5.3.2).
 #pragma once
 #include <vector>
 

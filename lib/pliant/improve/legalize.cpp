@@ -1,3 +1,4 @@
+// lib/pliant/improve/legalize.cpp: is an edge locally Delaunay, and flips that make edges so.
 #include "pliant/improve/legalize.h"
 
 #include <algorithm>

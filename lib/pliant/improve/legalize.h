@@ -1,4 +1,5 @@
-#pragma once  // lib/pliant/improve/legalize.h: is an edge locally Delaunay, and flips that make edges so
+// lib/pliant/improve/legalize.h: is an edge locally Delaunay, and flips that make edges so.
+#pragma once
 #include <vector>
 
 #include "pliant/mesh/mesh.h"

@@ -1,3 +1,4 @@
+// lib/pliant/improve/local_feature_size.cpp: how far a curve is from its medial axis.
 #include "pliant/improve/local_feature_size.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
-#pragma once  // lib/pliant/improve/local_feature_size.h: how far a curve is from its medial axis
+// lib/pliant/improve/local_feature_size.h: how far a curve is from its medial axis.
+#pragma once
 #include <vector>
 
 #include "pliant/improve/curve_chains.h"

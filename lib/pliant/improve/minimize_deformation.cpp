@@ -1,3 +1,4 @@
+// lib/pliant/improve/minimize_deformation.cpp: the least deformation energy of some elements, by Ceres.
 #include "pliant/improve/minimize_deformation.h"
 
 #include <ceres/ceres.h>

@@ -1,4 +1,5 @@
-#pragma once  // lib/pliant/improve/minimize_deformation.h: the least deformation energy of some elements, by Ceres
+// lib/pliant/improve/minimize_deformation.h: the least deformation energy of some elements, by Ceres.
+#pragma once
 #include <span>
 
 #include "pliant/improve/deformation_energy.h"

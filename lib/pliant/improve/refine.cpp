@@ -1,4 +1,4 @@
-// lib/pliant/improve/refine.cpp: rounds of attacks, each triangle's own: split an edge, insert a point, or give up
+// lib/pliant/improve/refine.cpp: rounds of attacks, each triangle's own: split an edge, insert a point, or give up.
 #include "pliant/improve/refine.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// lib/pliant/improve/refine.h: points into elements too large, too poor or too curved (paper §5.3.2)
+// lib/pliant/improve/refine.h: points into elements too large, too poor or too curved (paper §5.3.2).
 #pragma once
 #include <optional>
 

@@ -1,4 +1,4 @@
-// lib/pliant/improve/refine_attack.cpp: an element against its bounds, one after the other
+// lib/pliant/improve/refine_attack.cpp: an element against its bounds, one after the other.
 #include "pliant/improve/refine_attack.h"
 
 #include <numbers>

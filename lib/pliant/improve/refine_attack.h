@@ -1,4 +1,4 @@
-// lib/pliant/improve/refine_attack.h: which triangles refinement attacks, and in which order
+// lib/pliant/improve/refine_attack.h: which triangles refinement attacks, and in which order.
 #pragma once
 #include <algorithm>
 #include <array>

@@ -1,4 +1,5 @@
-#include <algorithm>  // lib/pliant/improve/search_places.cpp: where nothing else helps, a search by small steps
+// lib/pliant/improve/search_places.cpp: where nothing else helps, a search by small steps.
+#include <algorithm>
 #include <array>
 #include <functional>
 

@@ -1,3 +1,4 @@
+// lib/pliant/improve/share_bends.cpp: the bend of curves, shared with the elements beside them.
 #include "pliant/improve/share_bends.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
-#pragma once  // lib/pliant/improve/share_bends.h: the bend of curves, shared with the elements beside them
+// lib/pliant/improve/share_bends.h: the bend of curves, shared with the elements beside them.
+#pragma once
 #include "pliant/mesh/mesh.h"
 #include "pliant/ops/outcome.h"
 

@@ -1,4 +1,4 @@
-// lib/pliant/improve/sharp_corners.cpp: corners by the angles of tangents, sides by walks along constrained edges
+// lib/pliant/improve/sharp_corners.cpp: corners by the angles of tangents, sides by walks along constrained edges.
 #include "pliant/improve/sharp_corners.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// lib/pliant/improve/sharp_corners.h: small angles of the boundary, and shells around them
+// lib/pliant/improve/sharp_corners.h: small angles of the boundary, and shells around them.
 #pragma once
 #include <array>
 #include <cstdint>

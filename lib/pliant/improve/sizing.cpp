@@ -1,3 +1,4 @@
+// lib/pliant/improve/sizing.cpp: which size is wanted where.
 #include "pliant/improve/sizing.h"
 
 #include <algorithm>

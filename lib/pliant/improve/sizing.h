@@ -1,4 +1,5 @@
-#pragma once  // lib/pliant/improve/sizing.h: which size is wanted where
+// lib/pliant/improve/sizing.h: which size is wanted where.
+#pragma once
 #include <functional>
 #include <vector>
 

@@ -1,3 +1,4 @@
+// lib/pliant/improve/smooth_curves.cpp: elements too curved, worst first (paper §5.3.4).
 #include "pliant/improve/smooth_curves.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
-#pragma once  // lib/pliant/improve/smooth_curves.h: elements too curved, worst first (paper §5.3.4)
+// lib/pliant/improve/smooth_curves.h: elements too curved, worst first (paper §5.3.4).
+#pragma once
 #include <optional>
 #include <vector>
 

@@ -1,3 +1,4 @@
+// lib/pliant/improve/smooth_globally.cpp: all free control points at once, towards the least deformation energy.
 #include "pliant/improve/smooth_globally.h"
 
 #include <algorithm>

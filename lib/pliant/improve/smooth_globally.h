@@ -1,5 +1,5 @@
-#pragma once  // lib/pliant/improve/smooth_globally.h: all free control points at once, towards the least deformation
-              // energy
+// lib/pliant/improve/smooth_globally.h: all free control points at once, towards the least deformation energy.
+#pragma once
 #include <span>
 #include <vector>
 

@@ -1,3 +1,4 @@
+// lib/pliant/improve/smoothing_moves.cpp: the ways to make an element less curved (private to smooth_curves).
 #include "pliant/improve/smoothing_moves.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-#pragma once  // lib/pliant/improve/smoothing_moves.h: the ways to make an element less curved (private to
-              // smooth_curves)
+// lib/pliant/improve/smoothing_moves.h: the ways to make an element less curved (private to smooth_curves).
+#pragma once
 #include <array>
 #include <map>
 #include <optional>

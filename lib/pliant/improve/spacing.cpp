@@ -1,3 +1,4 @@
+// lib/pliant/improve/spacing.cpp: the sizing function of coarsening at the vertices (paper §5.3.3).
 #include "pliant/improve/spacing.h"
 
 #include <algorithm>

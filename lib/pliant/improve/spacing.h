@@ -1,4 +1,5 @@
-#pragma once  // lib/pliant/improve/spacing.h: the sizing function of coarsening at the vertices (paper §5.3.3)
+// lib/pliant/improve/spacing.h: the sizing function of coarsening at the vertices (paper §5.3.3).
+#pragma once
 #include <vector>
 
 #include "pliant/improve/curve_chains.h"

@@ -1,3 +1,4 @@
+// lib/pliant/improve/split_place.cpp: where is an edge on a curve split best, and which other one with it?
 #include "pliant/improve/split_place.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// lib/pliant/improve/straighten_edges.cpp: inner edges as straight as the curves beside them allow.
 #include "pliant/improve/straighten_edges.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
-#pragma once  // lib/pliant/improve/straighten_edges.h: inner edges as straight as the curves beside them allow
+// lib/pliant/improve/straighten_edges.h: inner edges as straight as the curves beside them allow.
+#pragma once
 #include "pliant/mesh/mesh.h"
 #include "pliant/ops/outcome.h"
 

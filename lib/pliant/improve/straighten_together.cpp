@@ -1,3 +1,4 @@
+// lib/pliant/improve/straighten_together.cpp: bent edges that are in each other's way become straight at once.
 #include "pliant/improve/straighten_together.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// lib/pliant/improve/tame.cpp: straight triangles that are turned over become positive: edges straightened, flipped,
+// cut.
 #include "pliant/improve/tame.h"
 
 #include <algorithm>

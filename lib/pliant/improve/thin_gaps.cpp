@@ -1,4 +1,4 @@
-// lib/pliant/improve/thin_gaps.cpp: compares an edge with the spans that end where it does
+// lib/pliant/improve/thin_gaps.cpp: compares an edge with the spans that end where it does.
 #include "pliant/improve/thin_gaps.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// lib/pliant/improve/triangle_budget.cpp: sums over faces, places and curves
+// lib/pliant/improve/triangle_budget.cpp: sums over faces, places and curves.
 #include "pliant/improve/triangle_budget.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// lib/pliant/improve/triangle_budget.h: how many triangles the goals of refinement ask for at least
+// lib/pliant/improve/triangle_budget.h: how many triangles the goals of refinement ask for at least.
 #pragma once
 #include <stdexcept>
 #include <string>

@@ -1,4 +1,5 @@
-#include <algorithm>  // lib/pliant/improve/turn_back.cpp: straight triangles that are turned over, under elements valid or not
+// lib/pliant/improve/turn_back.cpp: straight triangles that are turned over, under elements valid or not.
+#include <algorithm>
 #include <array>
 #include <functional>
 

@@ -1,3 +1,4 @@
+// lib/pliant/improve/unmended.cpp: elements that smoothing leaves invalid or too curved, and why.
 #include "pliant/improve/unmended.h"
 
 #include <array>

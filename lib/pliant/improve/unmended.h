@@ -1,4 +1,5 @@
-#pragma once  // lib/pliant/improve/unmended.h: elements that smoothing leaves invalid or too curved, and why
+// lib/pliant/improve/unmended.h: elements that smoothing leaves invalid or too curved, and why.
+#pragma once
 #include <string>
 
 #include "pliant/mesh/mesh.h"

@@ -1,3 +1,4 @@
+// lib/pliant/improve/wanted_shapes.cpp: the triangles that the elements of a mesh should be like.
 #include "pliant/improve/wanted_shapes.h"
 
 #include <algorithm>

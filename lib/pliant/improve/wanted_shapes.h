@@ -1,4 +1,5 @@
-#pragma once  // lib/pliant/improve/wanted_shapes.h: the triangles that the elements of a mesh should be like
+// lib/pliant/improve/wanted_shapes.h: the triangles that the elements of a mesh should be like.
+#pragma once
 #include <span>
 #include <vector>
 

@@ -1,4 +1,4 @@
-// The well-formedness of a document's arrays: what every later question relies on.
+// lib/pliant/mesh/check_arrays.cpp: The well-formedness of a document's arrays: what every later question relies on.
 #include <cmath>
 #include <string>
 

@@ -1,4 +1,4 @@
-// M3 by certificate, and the live mesh's derived data against its nets.
+// lib/pliant/mesh/check_mesh.cpp: M3 by certificate, and the live mesh's derived data against its nets.
 #include "pliant/mesh/check_mesh.h"
 
 #include <array>

@@ -1,4 +1,5 @@
-#pragma once  // lib/pliant/mesh/check_mesh.h: every breach of M1, M2, M4, M5, M6, by name; M3 apart
+// lib/pliant/mesh/check_mesh.h: every breach of M1, M2, M4, M5, M6, by name; M3 apart.
+#pragma once
 #include <span>
 #include <vector>
 

@@ -1,4 +1,5 @@
-// The structural invariants M1, M2, M4, M5, M6 of a document, from its arrays alone: independent of class Mesh.
+// lib/pliant/mesh/check_structure.cpp: The structural invariants M1, M2, M4, M5, M6 of a document, from its arrays
+// alone: independent of class Mesh.
 #include <algorithm>
 #include <cmath>
 #include <map>

@@ -1,3 +1,4 @@
+// lib/pliant/mesh/document_unit.cpp: the power of two that brings documents of any size to one near 1.
 #include "pliant/mesh/document_unit.h"
 
 #include <algorithm>

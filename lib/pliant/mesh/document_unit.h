@@ -1,4 +1,5 @@
-#pragma once  // lib/pliant/mesh/document_unit.h: the power of two that brings documents of any size to one near 1
+// lib/pliant/mesh/document_unit.h: the power of two that brings documents of any size to one near 1.
+#pragma once
 #include "pliant/mesh/mesh_data.h"
 #include "pliant/mesh/pass_report.h"
 

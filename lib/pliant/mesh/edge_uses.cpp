@@ -1,4 +1,5 @@
-#include "pliant/mesh/edge_uses.h"  // lib/pliant/mesh/edge_uses.cpp: buckets by the lower vertex, each sorted by the higher one
+// lib/pliant/mesh/edge_uses.cpp: buckets by the lower vertex, each sorted by the higher one.
+#include "pliant/mesh/edge_uses.h"
 
 #include <algorithm>
 #include <cstddef>

@@ -1,4 +1,5 @@
-#pragma once  // lib/pliant/mesh/edge_uses.h: the edges of a document that may be no proper mesh
+// lib/pliant/mesh/edge_uses.h: the edges of a document that may be no proper mesh.
+#pragma once
 #include <span>
 #include <vector>
 

@@ -1,4 +1,5 @@
-#include "pliant/mesh/half_edges.h"  // lib/pliant/mesh/half_edges.cpp: a fast way for sound meshes, and one for all others
+// lib/pliant/mesh/half_edges.cpp: a fast way for sound meshes, and one for all others.
+#include "pliant/mesh/half_edges.h"
 
 #include <algorithm>
 #include <cstddef>

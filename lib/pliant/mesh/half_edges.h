@@ -1,4 +1,5 @@
-#pragma once  // lib/pliant/mesh/half_edges.h: which half-edges of a document belong together?
+// lib/pliant/mesh/half_edges.h: which half-edges of a document belong together?
+#pragma once
 #include <array>
 #include <optional>
 #include <span>

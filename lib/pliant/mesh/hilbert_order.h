@@ -1,4 +1,5 @@
-#pragma once  // lib/pliant/mesh/hilbert_order.h: places along Hilbert's curve, on which neighbours in order are near
+// lib/pliant/mesh/hilbert_order.h: places along Hilbert's curve, on which neighbours in order are near.
+#pragma once
 #include <algorithm>
 #include <cstdint>
 

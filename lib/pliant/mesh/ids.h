@@ -1,4 +1,5 @@
-#pragma once  // lib/pliant/mesh/ids.h: indices into a mesh
+// lib/pliant/mesh/ids.h: indices into a mesh.
+#pragma once
 #include <cstdint>
 
 namespace pliant {

@@ -1,3 +1,4 @@
+// lib/pliant/mesh/locate.cpp: the element and barycentric coordinates of a point (paper §5.2.1, §5.3.2).
 #include "pliant/mesh/locate.h"
 
 #include <algorithm>

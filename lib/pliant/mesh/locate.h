@@ -1,4 +1,5 @@
-#pragma once  // lib/pliant/mesh/locate.h: the element and barycentric coordinates of a point (paper §5.2.1, §5.3.2)
+// lib/pliant/mesh/locate.h: the element and barycentric coordinates of a point (paper §5.2.1, §5.3.2).
+#pragma once
 #include <optional>
 #include <span>
 

@@ -1,3 +1,4 @@
+// lib/pliant/mesh/mesh.cpp: the one mesh: shared control points by index, adjacency, constrained edges, fields.
 #include "pliant/mesh/mesh.h"
 
 #include <algorithm>

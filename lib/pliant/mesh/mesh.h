@@ -1,5 +1,5 @@
-#pragma once  // lib/pliant/mesh/mesh.h: the one mesh: shared control points by index, adjacency, constrained edges,
-              // fields
+// lib/pliant/mesh/mesh.h: the one mesh: shared control points by index, adjacency, constrained edges, fields.
+#pragma once
 #include <algorithm>
 #include <cassert>
 #include <cstdint>

@@ -1,5 +1,5 @@
-#pragma once  // lib/pliant/mesh/mesh_data.h: a mesh as its document has it: plain arrays, nothing derived, nothing
-              // assumed
+// lib/pliant/mesh/mesh_data.h: a mesh as its document has it: plain arrays, nothing derived, nothing assumed.
+#pragma once
 #include <array>
 #include <cstdint>
 #include <optional>

@@ -1,4 +1,5 @@
-// A mesh from its document and back: numbering, adjacency, constrained edges, fields by face.
+// lib/pliant/mesh/mesh_documents.cpp: A mesh from its document and back: numbering, adjacency, constrained edges,
+// fields by face.
 #include <algorithm>
 
 #include "pliant/mesh/half_edges.h"

@@ -1,4 +1,5 @@
-#pragma once  // lib/pliant/mesh/mesh_log.h: what a transaction notes of each change (private to this layer)
+// lib/pliant/mesh/mesh_log.h: what a transaction notes of each change (private to this layer).
+#pragma once
 #include "pliant/mesh/mesh.h"
 
 namespace pliant {

@@ -1,4 +1,5 @@
-#pragma once  // lib/pliant/mesh/pass_report.h: what one pass did to one mesh, as numbers
+// lib/pliant/mesh/pass_report.h: what one pass did to one mesh, as numbers.
+#pragma once
 #include <cstddef>
 #include <string>
 #include <utility>

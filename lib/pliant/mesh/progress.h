@@ -1,4 +1,5 @@
-#pragma once  // lib/pliant/mesh/progress.h: how far a long pass has come, for another thread to show
+// lib/pliant/mesh/progress.h: how far a long pass has come, for another thread to show.
+#pragma once
 #include <atomic>
 
 namespace pliant {

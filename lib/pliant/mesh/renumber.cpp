@@ -1,3 +1,4 @@
+// lib/pliant/mesh/renumber.cpp: numbers that keep neighbours near in memory.
 #include "pliant/mesh/renumber.h"
 
 #include <algorithm>

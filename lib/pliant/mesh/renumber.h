@@ -1,4 +1,5 @@
-#pragma once  // lib/pliant/mesh/renumber.h: numbers that keep neighbours near in memory
+// lib/pliant/mesh/renumber.h: numbers that keep neighbours near in memory.
+#pragma once
 #include "pliant/mesh/mesh_data.h"
 
 namespace pliant {

@@ -1,3 +1,4 @@
+// lib/pliant/mesh/star.cpp: the triangles around a vertex, and its link.
 #include "pliant/mesh/star.h"
 
 #include <algorithm>

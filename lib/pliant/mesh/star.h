@@ -1,4 +1,5 @@
-#pragma once  // lib/pliant/mesh/star.h: the triangles around a vertex, and its link
+// lib/pliant/mesh/star.h: the triangles around a vertex, and its link.
+#pragma once
 #include <vector>
 
 #include "pliant/mesh/mesh.h"

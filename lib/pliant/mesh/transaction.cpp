@@ -1,4 +1,4 @@
-// Changes of a mesh undone, in the reverse order.
+// lib/pliant/mesh/transaction.cpp: Changes of a mesh undone, in the reverse order.
 #include <algorithm>
 #include <bit>
 

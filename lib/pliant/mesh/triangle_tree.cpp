@@ -1,3 +1,4 @@
+// lib/pliant/mesh/triangle_tree.cpp: the elements whose control net's box contains a point.
 #include "pliant/mesh/triangle_tree.h"
 
 #include <algorithm>

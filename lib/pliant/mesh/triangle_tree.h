@@ -1,4 +1,5 @@
-#pragma once  // lib/pliant/mesh/triangle_tree.h: the elements whose control net's box contains a point
+// lib/pliant/mesh/triangle_tree.h: the elements whose control net's box contains a point.
+#pragma once
 #include <array>
 #include <cstddef>
 #include <vector>

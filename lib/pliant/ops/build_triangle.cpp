@@ -1,3 +1,4 @@
+// lib/pliant/ops/build_triangle.cpp: the net of a triangle from its edges and inner points.
 #include "pliant/ops/build_triangle.h"
 
 #include <algorithm>

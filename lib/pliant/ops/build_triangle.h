@@ -1,4 +1,5 @@
-#pragma once  // lib/pliant/ops/build_triangle.h: the net of a triangle from its edges and inner points
+// lib/pliant/ops/build_triangle.h: the net of a triangle from its edges and inner points.
+#pragma once
 #include <array>
 #include <span>
 

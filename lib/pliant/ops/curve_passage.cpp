@@ -1,3 +1,4 @@
+// lib/pliant/ops/curve_passage.cpp: the curve through a vertex, and what the removal of its knot touches.
 #include "pliant/ops/curve_passage.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
-#pragma once  // lib/pliant/ops/curve_passage.h: the curve through a vertex, and what the removal of its knot touches
+// lib/pliant/ops/curve_passage.h: the curve through a vertex, and what the removal of its knot touches.
+#pragma once
 #include <vector>
 
 #include "pliant/mesh/star.h"

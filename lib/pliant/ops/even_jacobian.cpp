@@ -1,3 +1,4 @@
+// lib/pliant/ops/even_jacobian.cpp: steps of Gauss and Newton towards a det J that is what it should be.
 #include "pliant/ops/even_jacobian.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
-#pragma once  // lib/pliant/ops/even_jacobian.h: control points placed so that det J comes near to what it should be
+// lib/pliant/ops/even_jacobian.h: control points placed so that det J comes near to what it should be.
+#pragma once
 #include <span>
 
 #include "pliant/mesh/mesh.h"

@@ -1,3 +1,4 @@
+// lib/pliant/ops/flip_edge.cpp: the other diagonal of two triangles (paper §5.2.3).
 #include "pliant/ops/flip_edge.h"
 
 #include <array>

@@ -1,4 +1,5 @@
-#pragma once  // lib/pliant/ops/flip_edge.h: the other diagonal of two triangles (paper §5.2.3)
+// lib/pliant/ops/flip_edge.h: the other diagonal of two triangles (paper §5.2.3).
+#pragma once
 #include "pliant/mesh/mesh.h"
 #include "pliant/ops/outcome.h"
 

@@ -1,3 +1,4 @@
+// lib/pliant/ops/insert_point.cpp: triangles cut in three, edges and the curves under them cut in two.
 #include "pliant/ops/insert_point.h"
 
 #include <algorithm>

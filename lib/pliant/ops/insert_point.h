@@ -1,4 +1,5 @@
-#pragma once  // lib/pliant/ops/insert_point.h: one triangle to three (paper §5.2.1)
+// lib/pliant/ops/insert_point.h: one triangle to three (paper §5.2.1).
+#pragma once
 #include "pliant/mesh/mesh.h"
 #include "pliant/ops/outcome.h"
 

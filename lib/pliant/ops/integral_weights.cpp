@@ -1,4 +1,4 @@
-// Exact integrals of a field over an element: linear in its control values.
+// lib/pliant/ops/integral_weights.cpp: Exact integrals of a field over an element: linear in its control values.
 #include <algorithm>
 #include <array>
 #include <mutex>

@@ -1,3 +1,4 @@
+// lib/pliant/ops/least_squares.cpp: more equations than unknowns, solved without allocation in the long run.
 #include "pliant/ops/least_squares.h"
 
 #include <algorithm>

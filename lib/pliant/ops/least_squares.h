@@ -1,4 +1,5 @@
-#pragma once  // lib/pliant/ops/least_squares.h: more equations than unknowns, solved without allocation in the long run
+// lib/pliant/ops/least_squares.h: more equations than unknowns, solved without allocation in the long run.
+#pragma once
 #include <span>
 #include <vector>
 

@@ -1,3 +1,4 @@
+// lib/pliant/ops/level_jacobian.cpp: det J of an element made to vary less.
 #include "pliant/ops/level_jacobian.h"
 
 #include <algorithm>

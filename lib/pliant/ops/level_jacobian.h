@@ -1,4 +1,5 @@
-#pragma once  // lib/pliant/ops/level_jacobian.h: det J of an element made to vary less
+// lib/pliant/ops/level_jacobian.h: det J of an element made to vary less.
+#pragma once
 #include "pliant/mesh/mesh.h"
 #include "pliant/ops/outcome.h"
 

@@ -1,3 +1,4 @@
+// lib/pliant/ops/merge.cpp: ears flipped away in Devillers's order, and the triangles that are left joined.
 #include "pliant/ops/merge.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
-#pragma once  // lib/pliant/ops/merge.h: two triangles of a fan become one; three become one
+// lib/pliant/ops/merge.h: two triangles of a fan become one; three become one.
+#pragma once
 #include <span>
 #include <vector>
 

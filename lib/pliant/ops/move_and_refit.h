@@ -1,4 +1,5 @@
-#pragma once  // lib/pliant/ops/move_and_refit.h: the frame of every operation that moves control points only
+// lib/pliant/ops/move_and_refit.h: the frame of every operation that moves control points only.
+#pragma once
 #include <span>
 
 #include "pliant/ops/build_triangle.h"

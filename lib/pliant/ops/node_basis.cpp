@@ -1,3 +1,4 @@
+// lib/pliant/ops/node_basis.cpp: the Bernstein basis at the nodes of the rule that fits are integrated with.
 #include "pliant/ops/node_basis.h"
 
 #include <array>

@@ -1,4 +1,5 @@
-#pragma once  // lib/pliant/ops/node_basis.h: the Bernstein basis at the nodes of the rule that fits are integrated with
+// lib/pliant/ops/node_basis.h: the Bernstein basis at the nodes of the rule that fits are integrated with.
+#pragma once
 #include <span>
 #include <vector>
 

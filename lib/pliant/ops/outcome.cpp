@@ -1,3 +1,4 @@
+// lib/pliant/ops/outcome.cpp: the reasons of refusals in words.
 #include "pliant/ops/outcome.h"
 
 namespace pliant {

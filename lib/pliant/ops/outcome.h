@@ -1,4 +1,5 @@
-#pragma once  // lib/pliant/ops/outcome.h: what an operation says when it refuses
+// lib/pliant/ops/outcome.h: what an operation says when it refuses.
+#pragma once
 namespace pliant {
 
 /// The closed list of reasons. After any of them but `done` the mesh is bit for bit as it was.

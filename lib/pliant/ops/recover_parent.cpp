@@ -1,3 +1,4 @@
+// lib/pliant/ops/recover_parent.cpp: the element of which others are a de Casteljau subdivision.
 #include "pliant/ops/recover_parent.h"
 
 #include <algorithm>

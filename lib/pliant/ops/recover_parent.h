@@ -1,4 +1,5 @@
-#pragma once  // lib/pliant/ops/recover_parent.h: the element of which others are a de Casteljau subdivision
+// lib/pliant/ops/recover_parent.h: the element of which others are a de Casteljau subdivision.
+#pragma once
 #include <array>
 #include <span>
 #include <vector>

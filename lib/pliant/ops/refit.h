@@ -1,5 +1,5 @@
-#pragma once  // lib/pliant/ops/refit.h: a patch of elements before a change; fits geometry and fields of what replaces
-              // it
+// lib/pliant/ops/refit.h: a patch of elements before a change; fits geometry and fields of what replaces it.
+#pragma once
 #include <cmath>
 #include <span>
 #include <utility>

@@ -1,4 +1,5 @@
-// Places for the new control points of a patch: the displacement field of the logical region, fitted.
+// lib/pliant/ops/refit_geometry.cpp: Places for the new control points of a patch: the displacement field of the
+// logical region, fitted.
 #include <algorithm>
 #include <array>
 #include <bit>

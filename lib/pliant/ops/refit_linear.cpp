@@ -1,4 +1,5 @@
-// The linear function that fits the fields of a patch best: what fits keep to the last bits.
+// lib/pliant/ops/refit_linear.cpp: The linear function that fits the fields of a patch best: what fits keep to the last
+// bits.
 #include <algorithm>
 #include <cmath>
 

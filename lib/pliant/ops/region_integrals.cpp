@@ -1,3 +1,4 @@
+// lib/pliant/ops/region_integrals.cpp: integrals of the fields over elements whose region is about to change.
 #include "pliant/ops/region_integrals.h"
 
 #include <algorithm>

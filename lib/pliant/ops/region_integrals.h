@@ -1,5 +1,5 @@
-#pragma once  // lib/pliant/ops/region_integrals.h: integrals of the fields over elements whose region is about to
-              // change
+// lib/pliant/ops/region_integrals.h: integrals of the fields over elements whose region is about to change.
+#pragma once
 #include <span>
 #include <vector>
 

@@ -1,3 +1,4 @@
+// lib/pliant/ops/remove_point.cpp: removal of inner vertices: ears first, then three triangles to one, or four to two.
 #include "pliant/ops/remove_point.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
-#pragma once  // lib/pliant/ops/remove_point.h: a vertex of degree three, and splits undone (paper §5.2.2)
+// lib/pliant/ops/remove_point.h: a vertex of degree three, and splits undone (paper §5.2.2).
+#pragma once
 #include <cmath>
 #include <utility>
 #include <vector>

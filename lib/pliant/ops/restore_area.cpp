@@ -1,3 +1,4 @@
+// lib/pliant/ops/restore_area.cpp: a curve that lost a knot, made to sweep the area that it did.
 #include "pliant/ops/restore_area.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
-#pragma once  // lib/pliant/ops/restore_area.h: a curve that lost a knot, made to sweep the area that it did
+// lib/pliant/ops/restore_area.h: a curve that lost a knot, made to sweep the area that it did.
+#pragma once
 #include <vector>
 
 #include "pliant/mesh/mesh.h"

@@ -1,3 +1,4 @@
+// lib/pliant/ops/smooth_edge.cpp: new places for the inner control points of an edge or element (paper §5.2.4).
 #include "pliant/ops/smooth_edge.h"
 
 #include <array>

@@ -1,5 +1,5 @@
-#pragma once  // lib/pliant/ops/smooth_edge.h: new places for the inner control points of an edge or element (paper
-              // §5.2.4)
+// lib/pliant/ops/smooth_edge.h: new places for the inner control points of an edge or element (paper §5.2.4).
+#pragma once
 #include "pliant/mesh/mesh.h"
 #include "pliant/ops/outcome.h"
 #include "pliant/ops/trial_patch.h"

@@ -1,3 +1,4 @@
+// lib/pliant/ops/solve_dense.cpp: small square systems, solved without allocation in the long run.
 #include "pliant/ops/solve_dense.h"
 
 #include <algorithm>

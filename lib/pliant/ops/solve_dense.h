@@ -1,4 +1,5 @@
-#pragma once  // lib/pliant/ops/solve_dense.h: small square systems, solved without allocation in the long run
+// lib/pliant/ops/solve_dense.h: small square systems, solved without allocation in the long run.
+#pragma once
 #include <span>
 
 namespace pliant {

@@ -1,3 +1,4 @@
+// lib/pliant/ops/trial_patch.cpp: the control points of a few elements, moved on a copy before any is in the mesh.
 #include "pliant/ops/trial_patch.h"
 
 #include <algorithm>

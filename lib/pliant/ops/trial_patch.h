@@ -1,5 +1,5 @@
-#pragma once  // lib/pliant/ops/trial_patch.h: the control points of a few elements, moved on a copy before any is in
-              // the mesh
+// lib/pliant/ops/trial_patch.h: the control points of a few elements, moved on a copy before any is in the mesh.
+#pragma once
 #include <span>
 #include <vector>
 

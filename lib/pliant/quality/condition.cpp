@@ -1,4 +1,5 @@
-#include "pliant/quality/condition.h"  // lib/pliant/quality/condition.cpp: a parser of three tokens
+// lib/pliant/quality/condition.cpp: a parser of three tokens.
+#include "pliant/quality/condition.h"
 
 #include <array>
 #include <charconv>

@@ -1,4 +1,5 @@
-#pragma once  // lib/pliant/quality/condition.h: conditions on a report, as in --fail-if 'min(shape) < 0.2'
+// lib/pliant/quality/condition.h: conditions on a report, as in --fail-if 'min(shape) < 0.2'.
+#pragma once
 #include <optional>
 #include <string>
 #include <vector>

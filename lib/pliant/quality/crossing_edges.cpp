@@ -1,4 +1,5 @@
-#include "pliant/quality/crossing_edges.h"  // lib/pliant/quality/crossing_edges.cpp: boxes first, then contacts
+// lib/pliant/quality/crossing_edges.cpp: boxes first, then contacts.
+#include "pliant/quality/crossing_edges.h"
 
 #include <algorithm>
 #include <cstddef>

@@ -1,4 +1,5 @@
-#pragma once  // lib/pliant/quality/crossing_edges.h: pairs of curved edges that cross
+// lib/pliant/quality/crossing_edges.h: pairs of curved edges that cross.
+#pragma once
 #include <cstddef>
 #include <span>
 #include <utility>

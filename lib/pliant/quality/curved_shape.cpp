@@ -1,4 +1,5 @@
-#include <algorithm>  // lib/pliant/quality/curved_shape.cpp: the minimum of a ratio of two polynomials, bracketed
+// lib/pliant/quality/curved_shape.cpp: the minimum of a ratio of two polynomials, bracketed.
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>

@@ -1,4 +1,5 @@
-#include "pliant/quality/duplicates.h"  // lib/pliant/quality/duplicates.cpp: a hash table with open addressing
+// lib/pliant/quality/duplicates.cpp: a hash table with open addressing.
+#include "pliant/quality/duplicates.h"
 
 #include <bit>
 #include <cstddef>

@@ -1,4 +1,5 @@
-#pragma once  // lib/pliant/quality/duplicates.h: points at one place (private to this layer)
+// lib/pliant/quality/duplicates.h: points at one place (private to this layer).
+#pragma once
 #include <cstdint>
 #include <span>
 

@@ -1,4 +1,5 @@
-#include "pliant/quality/edge_curves.h"  // lib/pliant/quality/edge_curves.cpp: Gauss rules, where needed on halved pieces
+// lib/pliant/quality/edge_curves.cpp: Gauss rules, where needed on halved pieces.
+#include "pliant/quality/edge_curves.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,5 @@
-#pragma once  // lib/pliant/quality/edge_curves.h: the edges of a document as Bézier curves (private to this layer)
+// lib/pliant/quality/edge_curves.h: the edges of a document as Bézier curves (private to this layer).
+#pragma once
 #include <span>
 #include <vector>
 

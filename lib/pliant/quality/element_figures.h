@@ -1,4 +1,5 @@
-#pragma once  // lib/pliant/quality/element_figures.h: the measures of single elements, column by column
+// lib/pliant/quality/element_figures.h: the measures of single elements, column by column.
+#pragma once
 #include <string>
 #include <vector>
 

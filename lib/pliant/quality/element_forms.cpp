@@ -1,4 +1,5 @@
-#include "pliant/quality/element_forms.h"  // lib/pliant/quality/element_forms.cpp: sums of products, from a table
+// lib/pliant/quality/element_forms.cpp: sums of products, from a table.
+#include "pliant/quality/element_forms.h"
 
 #include <algorithm>
 #include <bit>

@@ -1,4 +1,5 @@
-#pragma once  // lib/pliant/quality/element_forms.h: det J and the squared norm of the Jacobian, scaled (private here)
+// lib/pliant/quality/element_forms.h: det J and the squared norm of the Jacobian, scaled (private here).
+#pragma once
 #include <array>
 #include <cmath>
 #include <span>

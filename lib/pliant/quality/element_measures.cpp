@@ -1,4 +1,5 @@
-#include "pliant/quality/element_measures.h"  // lib/pliant/quality/element_measures.cpp: each from the forms, computed once
+// lib/pliant/quality/element_measures.cpp: each from the forms, computed once.
+#include "pliant/quality/element_measures.h"
 
 #include <algorithm>
 #include <cmath>

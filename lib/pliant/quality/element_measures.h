@@ -1,5 +1,5 @@
-#pragma once  // lib/pliant/quality/element_measures.h: all that the report says of single elements (private to this
-              // layer)
+// lib/pliant/quality/element_measures.h: all that the report says of single elements (private to this layer).
+#pragma once
 #include <array>
 #include <functional>
 #include <span>

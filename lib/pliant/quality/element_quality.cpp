@@ -1,4 +1,5 @@
-#include "pliant/quality/element_quality.h"  // lib/pliant/quality/element_quality.cpp: closed forms and ratios of bounds
+// lib/pliant/quality/element_quality.cpp: closed forms and ratios of bounds.
+#include "pliant/quality/element_quality.h"
 
 #include <algorithm>
 #include <cassert>

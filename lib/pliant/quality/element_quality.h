@@ -1,4 +1,5 @@
-#pragma once  // lib/pliant/quality/element_quality.h: the measures of one element; passes act on these very numbers
+// lib/pliant/quality/element_quality.h: the measures of one element; passes act on these very numbers.
+#pragma once
 #include <span>
 
 #include "pliant/geometry/point.h"

@@ -1,4 +1,5 @@
-#include "pliant/quality/field_figures.h"  // lib/pliant/quality/field_figures.cpp
+// lib/pliant/quality/field_figures.cpp: range and integral of every carried field (private to this layer).
+#include "pliant/quality/field_figures.h"
 
 #include <algorithm>
 #include <array>

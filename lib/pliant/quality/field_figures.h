@@ -1,4 +1,5 @@
-#pragma once  // lib/pliant/quality/field_figures.h: range and integral of every carried field (private to this layer)
+// lib/pliant/quality/field_figures.h: range and integral of every carried field (private to this layer).
+#pragma once
 #include <span>
 #include <vector>
 

@@ -1,4 +1,5 @@
-#include "pliant/quality/least_quality.h"  // lib/pliant/quality/least_quality.cpp: measured where bounds do not settle it
+// lib/pliant/quality/least_quality.cpp: measured where bounds do not settle it.
+#include "pliant/quality/least_quality.h"
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,5 @@
-#pragma once  // lib/pliant/quality/least_quality.h: the least shape and scaled Jacobian of elements, which passes may
-              // hold
+// lib/pliant/quality/least_quality.h: the least shape and scaled Jacobian of elements, which passes may hold.
+#pragma once
 #include <cmath>
 #include <span>
 

@@ -1,4 +1,5 @@
-#include "pliant/quality/metric_summary.h"  // lib/pliant/quality/metric_summary.cpp
+// lib/pliant/quality/metric_summary.cpp: from a column of values to its summary (private to this layer).
+#include "pliant/quality/metric_summary.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,5 @@
-#pragma once  // lib/pliant/quality/metric_summary.h: from a column of values to its summary (private to this layer)
+// lib/pliant/quality/metric_summary.h: from a column of values to its summary (private to this layer).
+#pragma once
 #include <array>
 #include <cmath>
 #include <cstdint>

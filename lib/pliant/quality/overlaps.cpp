@@ -1,4 +1,5 @@
-#include "pliant/quality/overlaps.h"  // lib/pliant/quality/overlaps.cpp: crossings, and winding numbers by horizontal rays
+// lib/pliant/quality/overlaps.cpp: crossings, and winding numbers by horizontal rays.
+#include "pliant/quality/overlaps.h"
 
 #include <algorithm>
 #include <array>

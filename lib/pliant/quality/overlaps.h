@@ -1,4 +1,5 @@
-#pragma once  // lib/pliant/quality/overlaps.h: does the mesh lie over itself? (private to this layer)
+// lib/pliant/quality/overlaps.h: does the mesh lie over itself? (private to this layer).
+#pragma once
 #include "pliant/mesh/half_edges.h"
 #include "pliant/quality/quality_report.h"
 

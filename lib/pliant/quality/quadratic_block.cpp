@@ -1,4 +1,5 @@
-#include "pliant/quality/quadratic_block.h"  // lib/pliant/quality/quadratic_block.cpp: the same arithmetic in vectors of two
+// lib/pliant/quality/quadratic_block.cpp: the same arithmetic in vectors of two.
+#include "pliant/quality/quadratic_block.h"
 
 #include <bit>
 #include <cmath>

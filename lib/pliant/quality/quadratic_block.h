@@ -1,5 +1,5 @@
-#pragma once  // lib/pliant/quality/quadratic_block.h: many quadratic elements measured side by side (private to this
-              // layer)
+// lib/pliant/quality/quadratic_block.h: many quadratic elements measured side by side (private to this layer).
+#pragma once
 #include <array>
 #include <cstddef>
 

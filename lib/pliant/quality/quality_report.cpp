@@ -1,4 +1,5 @@
-#include "pliant/quality/quality_report.h"  // lib/pliant/quality/quality_report.cpp: gathers the figures
+// lib/pliant/quality/quality_report.cpp: gathers the figures.
+#include "pliant/quality/quality_report.h"
 
 #include <algorithm>
 #include <array>

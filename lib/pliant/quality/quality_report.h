@@ -1,4 +1,5 @@
-#pragma once  // lib/pliant/quality/quality_report.h: the figures of a whole mesh; prints nothing
+// lib/pliant/quality/quality_report.h: the figures of a whole mesh; prints nothing.
+#pragma once
 #include <cstdint>
 #include <optional>
 #include <string>

@@ -1,3 +1,4 @@
+// lib/pliant/quality/quality_summary.cpp: a mesh in a few figures, for what passes say of before and after.
 #include "pliant/quality/quality_summary.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
-#pragma once  // lib/pliant/quality/quality_summary.h: a mesh in a few figures, for what passes say of before and after
+// lib/pliant/quality/quality_summary.h: a mesh in a few figures, for what passes say of before and after.
+#pragma once
 #include <cstdint>
 #include <string>
 #include <vector>

@@ -1,4 +1,5 @@
-#pragma once  // lib/pliant/quality/strips.h: which boxes does a horizontal line meet? (private to this layer)
+// lib/pliant/quality/strips.h: which boxes does a horizontal line meet? (private to this layer).
+#pragma once
 #include <algorithm>
 #include <cmath>
 #include <cstddef>

@@ -1,4 +1,5 @@
-#include "pliant/quality/tangent_jump.h"  // lib/pliant/quality/tangent_jump.cpp: of splines by de Boor, of edges by legs
+// lib/pliant/quality/tangent_jump.cpp: of splines by de Boor, of edges by legs.
+#include "pliant/quality/tangent_jump.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,5 @@
-#pragma once  // lib/pliant/quality/tangent_jump.h: how smooth are the boundary curves, and the mesh's edges on them?
+// lib/pliant/quality/tangent_jump.h: how smooth are the boundary curves, and the mesh's edges on them?
+#pragma once
 #include <optional>
 
 #include "pliant/mesh/mesh_data.h"

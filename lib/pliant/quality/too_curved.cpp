@@ -1,3 +1,4 @@
+// lib/pliant/quality/too_curved.cpp: when is an element too curved, and by how much (paper §5.3.4).
 #include "pliant/quality/too_curved.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
-#pragma once  // lib/pliant/quality/too_curved.h: when is an element too curved, and by how much (paper §5.3.4)
+// lib/pliant/quality/too_curved.h: when is an element too curved, and by how much (paper §5.3.4).
+#pragma once
 #include <span>
 
 #include "pliant/geometry/point.h"

@@ -1,4 +1,5 @@
-// A project's own program on the installed library: reads a boundary, meshes it, refines it, and checks what it got.
+// tests/install/consumer/consumer.cpp: A project's own program on the installed library: reads a boundary, meshes it,
+// refines it, and checks what it got.
 #include <cmath>
 #include <cstdio>
 #include <string>
