@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "criteria_options.h"
 #include "doubts.h"
 #include "formats/mesh_json.h"
 #include "pliant/geometry/describe.h"
@@ -74,6 +75,21 @@ void report_in_document(PassReport& report, double unit) {
   if (unit != 1 && !report.notes.empty()) report.notes.push_back("in these notes " + explain_unit(unit));
 }
 
+namespace {
+
+/// By the document's criteria; a size that is no expression is for those to blame who ask for it.
+MissedGoals count_missed(const Mesh& mesh) {
+  SizeFunction size;
+  try {
+    if (mesh.criteria.size) size = compile_size(*mesh.criteria.size);
+    return pliant::count_missed(mesh, goals_of(mesh, size));
+  } catch (const std::exception&) {
+    return pliant::count_missed(mesh, {});
+  }
+}
+
+}  // namespace
+
 int run_filter(CLI::App& app, int argc, char** argv, const std::function<PassReport(Mesh&)>& pass,
                const FilterOptions& filter) {
   ToolOptions options;
@@ -104,6 +120,10 @@ int run_filter(CLI::App& app, int argc, char** argv, const std::function<PassRep
       }
       Mesh mesh(std::move(data));
       seconds.emplace_back("check", checking + watch.lap());
+      if (quality) {
+        quality->missed_before = count_missed(mesh);
+        measuring += watch.lap();
+      }
       line.stage("work");
       PassReport report;
       in_unit(unit, [&] { report = pass(mesh); });
@@ -117,6 +137,7 @@ int run_filter(CLI::App& app, int argc, char** argv, const std::function<PassRep
       if (quality) {  // before the mesh may have its extreme size again
         line.stage("measure");
         quality->after = summarize_quality(data);
+        quality->missed_after = count_missed(mesh);
         for (QualitySummary* summary : {&quality->before, &quality->after})
           for (ComponentSize& size : summary->fields) size.l2 *= unit;  // the root of an integral over the area
         measuring += watch.lap();

@@ -12,6 +12,7 @@
 
 #include "pliant/boundary/boundary_complex.h"
 #include "pliant/boundary/fault.h"
+#include "pliant/improve/missed_goals.h"
 #include "pliant/mesh/mesh.h"
 #include "pliant/mesh/pass_report.h"
 #include "pliant/quality/quality_summary.h"
@@ -146,6 +147,7 @@ class Stopwatch {
 /// The mesh that a pass was given, and the one that it left.
 struct QualityChange {
   QualitySummary before, after;
+  MissedGoals missed_before, missed_after;  ///< of the document's criteria
 };
 
 /// Where --report goes (a JSON line a frame, complete at once) and what -v prints.

@@ -83,11 +83,21 @@ void write_summary(JsonWriter& out, const QualitySummary& summary) {
   out.end_array().end_object();
 }
 
+void write_missed(JsonWriter& out, const MissedGoals& missed) {
+  out.begin_object().name("invalid").value(missed.invalid).name("turned_over").value(missed.turned_over);
+  out.name("too_curved").value(missed.too_curved).name("too_large").value(missed.too_large);
+  out.name("too_poor").value(missed.too_poor).end_object();
+}
+
 void write_change(JsonWriter& out, const QualityChange& quality) {
   out.name("before");
   write_summary(out, quality.before);
   out.name("after");
   write_summary(out, quality.after);
+  out.name("missed_before");
+  write_missed(out, quality.missed_before);
+  out.name("missed_after");
+  write_missed(out, quality.missed_after);
   out.name("growth").begin_array();
   for (const ComponentGrowth& growth : field_growth(quality.before, quality.after)) {
     out.begin_object().name("name").value(growth.field).name("component").value(growth.component);
@@ -165,6 +175,12 @@ void FrameReports::State::print(const Frame& frame, double time, const PassRepor
   say(options, "  after: " + in_words(quality->after));
   const std::string growth = growth_in_words(*quality);
   if (!growth.empty()) say(options, "  " + growth);
+  if (quality->after.min_shape < quality->before.min_shape)
+    say(options, "  the least shape has fallen from " + text_of("%.4g", quality->before.min_shape) + " to " +
+                     text_of("%.4g", quality->after.min_shape));
+  const std::string advice = advice_on(quality->missed_after);
+  say(options, "  goals missed before: " + describe(quality->missed_before) + "; after: " +
+                   describe(quality->missed_after) + (advice.empty() ? "" : "; " + advice));
 }
 
 namespace {
