@@ -179,8 +179,8 @@ void FrameReports::State::print(const Frame& frame, double time, const PassRepor
     say(options, "  the least shape has fallen from " + text_of("%.4g", quality->before.min_shape) + " to " +
                      text_of("%.4g", quality->after.min_shape));
   const std::string advice = advice_on(quality->missed_after);
-  say(options, "  goals missed before: " + describe(quality->missed_before) + "; after: " +
-                   describe(quality->missed_after) + (advice.empty() ? "" : "; " + advice));
+  say(options, "  goals missed before: " + describe(quality->missed_before) +
+                   "; after: " + describe(quality->missed_after) + (advice.empty() ? "" : "; " + advice));
 }
 
 namespace {

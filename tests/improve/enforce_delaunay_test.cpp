@@ -132,9 +132,8 @@ TEST_CASE("each refusal is listed with the middle of an edge that still wants it
       }
       wanted.emplace_back(points[0].x, points[0].y);
       // A flip that only a badly bent edge would allow is refused by the pass alone.
-      const auto listed_at = std::ranges::find_if(report.refused_at, [&](const auto& refusal) {
-        return distance(refusal.place, points[0]) < 1e-12;
-      });
+      const auto listed_at = std::ranges::find_if(
+          report.refused_at, [&](const auto& refusal) { return distance(refusal.place, points[0]) < 1e-12; });
       REQUIRE(listed_at != report.refused_at.end());
       Mesh copy = mesh;
       CHECK((flip_edge(copy, h) != Refusal::done || listed_at->reason == describe(Refusal::would_bend)));

@@ -58,7 +58,8 @@ Refusal flip_straight(Mesh& mesh, HalfEdgeId h, const RefitOptions& refit) {
   return Refusal::done;
 }
 
-/// The flip, if need be after the bent edges of both triangles are straightened; the mesh is unchanged if it is refused.
+/// The flip, if need be after the bent edges of both triangles are straightened; the mesh is unchanged if it is
+/// refused.
 Refusal straighten_and_flip(Mesh& mesh, HalfEdgeId h, const RefitOptions& refit) {
   const Refusal first = flip_straight(mesh, h, refit);
   if (first == Refusal::done) return first;
@@ -70,6 +71,10 @@ Refusal straighten_and_flip(Mesh& mesh, HalfEdgeId h, const RefitOptions& refit)
 }
 
 }  // namespace
+
+bool is_bent_inside(const Mesh& mesh, HalfEdgeId h) {
+  return mesh.twin(h) != none && !mesh.is_constrained(h) && is_bent(mesh, h);
+}
 
 bool straighten_bent(Mesh& mesh, std::vector<HalfEdgeId>& edges, const RefitOptions& refit) {
   std::erase_if(edges,

@@ -26,6 +26,9 @@ EdgeState edge_state(const Point& a, const Point& b, const Point& c, const Point
 /// straight place by more than a tenth of the edge's length, or three tenths of a height over it.
 bool straighten_bent(Mesh& mesh, std::vector<HalfEdgeId>& edges, const RefitOptions& refit);
 
+/// Is an edge that is on no curve bent, in the sense of straighten_bent?
+bool is_bent_inside(const Mesh& mesh, HalfEdgeId h);
+
 /// An edge that wanted its flip, named by its vertices: half-edges are others after the next flip.
 struct RefusedEdge {
   PointId origin, target;

@@ -78,7 +78,8 @@ TameCounts Tamer::tame(std::vector<TriangleId> seeds, long max_triangles, std::v
   return counts_;
 }
 
-/// A curve that bends much beside an edge may be what refused its flip; halves of it bend less.
+/// A curve that bends much beside an edge may be what refused its flip, or bent inner edges that could not be
+/// straightened: halves of the one and pieces of the elements beside the others bend less.
 bool Tamer::split_bend_beside(const RefusedEdge& edge) {
   const HalfEdgeId h = find_half_edge(mesh_, edge.origin, edge.target);
   if (h == none || !wants_flip(edge_state(mesh_, h))) return false;
@@ -88,7 +89,16 @@ bool Tamer::split_bend_beside(const RefusedEdge& edge) {
   for (const HalfEdgeId side : {next(h), previous(h), next(g), previous(g)})
     if (mesh_.is_constrained(side))
       if (const double turns = edge_turning(mesh_, side); turns > turning) turning = turns, most = side;
-  return most != none && split(most);
+  if (most != none) return split(most);
+  bool is_cut = false;
+  for (const HalfEdgeId side : {h, g}) {
+    const TriangleId t = triangle_of(side);
+    bool has_bend = false;
+    for (int e = 0; e < 3; ++e) has_bend = has_bend || is_bent_inside(mesh_, half_edge(t, e));
+    is_cut = (has_bend && cut(t)) || is_cut;
+    if (is_cut) break;  // the other element may be another one by now
+  }
+  return is_cut;
 }
 
 bool Tamer::is_wild(TriangleId t) const {
