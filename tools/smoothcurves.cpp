@@ -7,6 +7,8 @@
 #include "criteria_options.h"
 #include "filter.h"
 #include "global_smoothing.h"
+#include "pliant/boundary/check_boundary.h"
+#include "pliant/generate/remesh_patch.h"
 #include "pliant/geometry/describe.h"
 #include "pliant/improve/smooth_curves.h"
 #include "progress_line.h"
@@ -90,18 +92,71 @@ struct SmoothingOptions {
   std::string measure_ = "element";
 };
 
+/// Why no mesh of the faces can be valid: curves that cross or touch, or have a face on the wrong side; empty where
+/// there is no such fault.
+std::string list_curve_faults(const BoundaryComplex& boundary) {
+  std::vector<Fault> faults = check_boundary(boundary);
+  if (faults.empty()) faults = check_boundary_geometry(boundary);
+  if (faults.empty()) faults = check_boundary_sides(boundary);
+  return faults.empty() ? "" : "\n  the curves forbid a valid mesh: " + faults.front().text;
+}
+
+double* find_value(PassReport& report, const std::string& name) {
+  for (auto& [known, value] : report.values)
+    if (known == name) return &value;
+  return nullptr;
+}
+
+/// The report of a second smoothing with what the first one counted: its work is added, what was found at the beginning
+/// is the first one's.
+void add_first_smoothing(const PassReport& first, PassReport& second) {
+  for (const auto& [name, value] : first.values) {
+    double* const now = find_value(second, name);
+    if (now == nullptr) continue;
+    if (name == "too_curved" || name == "not_good" || name == "energy_before") *now = value;
+    for (const char* const work : {"edges_smoothed", "vertices_moved", "searches", "flips", "turned_back", "splits",
+                                   "elements_smoothed", "points_moved", "iterations"})
+      if (name == work) *now += value;
+  }
+}
+
+/// Meshes the regions of elements that smoothing has left invalid anew, and smooths again.
+template <class Smooth>
+RemeshPatchCounts remesh_what_is_left(Mesh& mesh, SmoothOutcome& outcome, const Smooth& smooth,
+                                      const RefitOptions& refit) {
+  const std::size_t invalid = outcome.invalid.size();
+  const RemeshPatchCounts counts = remesh_invalid(mesh, refit);
+  if (counts.patches == 0) return counts;
+  SmoothOutcome again = smooth(mesh);
+  add_first_smoothing(outcome.report, again.report);
+  const std::string note = "smoothing left " + std::to_string(invalid) +
+                           " elements invalid: " + std::to_string(counts.triangles_before) + " elements in " +
+                           std::to_string(counts.patches) + (counts.patches == 1 ? " region" : " regions") +
+                           " were replaced by " + std::to_string(counts.triangles_after) + " new ones";
+  again.report.notes.insert(again.report.notes.begin(), note);
+  outcome = std::move(again);
+  return counts;
+}
+
 PassReport smooth(Mesh& mesh, SmoothingOptions& options, GlobalSmoothing& global) {
   const SmoothMeans means{options.smooth.vertices, options.smooth.flips, options.smooth.split};
-  if (ProgressLine* line = ProgressLine::shown(); line != nullptr && !global.is_wanted())
-    options.smooth.progress = line->counters();
-  SmoothOutcome outcome =
-      global.is_wanted() ? global.run(mesh, means.vertices, options.smooth.refit) : smooth_curves(mesh, options.smooth);
+  const auto smooth_once = [&](Mesh& each) {
+    if (global.is_wanted()) return global.run(each, means.vertices, options.smooth.refit);
+    if (ProgressLine* line = ProgressLine::shown()) options.smooth.progress = line->counters();
+    return smooth_curves(each, options.smooth);
+  };
+  SmoothOutcome outcome = smooth_once(mesh);
+  RemeshPatchCounts remeshed;
+  if (!outcome.invalid.empty() && !options.keep_going)
+    remeshed = remesh_what_is_left(mesh, outcome, smooth_once, options.smooth.refit);
+  outcome.report.add("patches_remeshed", static_cast<double>(remeshed.patches));
   const std::string advice = global.is_wanted() ? "" : global.advice(outcome, mesh, means.vertices);
   if (!advice.empty()) outcome.report.notes.push_back(advice);
   if (!outcome.invalid.empty() && !options.keep_going)
-    throw NoResult(
-        std::to_string(outcome.invalid.size()) + " elements stay invalid; --keep-going writes the mesh all the same" +
-        list_invalid(outcome, means, place_resolution * mesh.size()) + (advice.empty() ? "" : "\n  " + advice));
+    throw NoResult(std::to_string(outcome.invalid.size()) +
+                   " elements stay invalid; --keep-going writes the mesh all the same" +
+                   list_invalid(outcome, means, place_resolution * mesh.size()) + list_curve_faults(mesh.boundary()) +
+                   (advice.empty() ? "" : "\n  " + advice));
   return outcome.report;
 }
 
@@ -114,7 +169,8 @@ int main(int argc, char** argv) {
   options.add_bounds(app);
   options.add_moves(app);
   GlobalSmoothing global(app);
-  app.add_flag("--keep-going", options.keep_going, "write the mesh also if elements stay invalid");
+  app.add_flag("--keep-going", options.keep_going,
+               "write the mesh also if elements stay invalid, and mesh no region anew");
   add_projection_option(app, options.smooth.refit);
   FilterOptions filter;
   filter.accepts_tangled = true;

@@ -66,13 +66,16 @@ if grep -q -e --global err; then fail 'a build without the global smoother recom
 smoothcurves -v -o absent.json disk.json 2>err
 if grep -q -e --global err; then fail 'advice where nothing is left'; fi
 
-# What stays invalid fails, and nothing is written unless it is asked for.
-sample_mesh tangled 1 >hopeless.json
-if ! qualityreport --fail-if 'invalid > 0' hopeless.json >/dev/null 2>&1; then
-  run 4 smoothcurves --global hopeless.json
-  no_output
-  says 'stay'
-  run 0 smoothcurves --global --keep-going hopeless.json
+# What no motion mends is meshed anew, unless the mesh is wanted as it is.
+sample_mesh tangled 1 >stuck.json
+if ! qualityreport --fail-if 'invalid > 0' stuck.json >/dev/null 2>&1; then
+  run 0 smoothcurves --global --keep-going stuck.json
+  cp out kept.json
+  if qualityreport --fail-if 'invalid > 0' kept.json >/dev/null 2>&1; then fail 'motion alone mends it'; fi
+  run 0 smoothcurves --global --report report.json stuck.json
+  cp out smooth.json
+  run 0 qualityreport --fail-if 'invalid > 0' smooth.json
+  grep -Eq '"patches_remeshed": ?[1-9]' report.json || fail 'nothing was meshed anew'
 fi
 
 # Ceres is in this tool alone.

@@ -21,9 +21,26 @@ EOF
 run 4 smoothcurves -o absent.json rim.json
 says 'elements stay invalid; --keep-going writes the mesh all the same'
 says '  element 0 at '
+says 'the curves forbid a valid mesh: '
 [ ! -e absent.json ] || fail 'a mesh with invalid elements was written'
 run 0 smoothcurves --keep-going -o kept.json rim.json
 [ "$(invalid kept.json)" -gt 0 ] || fail 'nothing was left to keep'
+
+# So does one that crosses itself.
+stir 8 >crossed.json
+run 4 smoothcurves --max-sweeps 1 crossed.json
+says "the curves forbid a valid mesh: curve 'close' (0) at parameter"
+
+# What smoothing cannot mend is meshed anew, unless the mesh is wanted as it is.
+near='max(0,1-16*((x+3.2)^2+(y-0.5)^2))^2'
+advect --vx="-(y-0.5)*8*$near" --vy="(x+3.2)*8*$near" --dt 1 --force -q cells.json >far.json
+run 0 smoothcurves --max-sweeps 1 --keep-going -o kept.json far.json
+[ "$(invalid kept.json)" -gt 0 ] || fail 'nothing was left to keep'
+run 0 smoothcurves --max-sweeps 1 --report report.json -o smooth.json far.json
+[ "$(invalid smooth.json)" = 0 ] || fail 'regions meshed anew have invalid elements'
+qualityreport --fail-if 'faults > 0' smooth.json >/dev/null || fail 'regions meshed anew have faults'
+grep -Eq '"patches_remeshed": ?[1-9]' report.json || fail "no region was meshed anew: $(cat report.json)"
+grep -q 'elements invalid: .* were replaced by .* new ones' report.json || fail 'nothing is said of regions meshed anew'
 
 # Vertices that a vortex has moved across edges are moved back, asked for or not.
 stir 5 >far.json
@@ -42,7 +59,7 @@ done
 
 # The report has the counts and, of what stays too curved, the places.
 run 0 smoothcurves --keep-going --report report.json -o smooth.json vortex.json
-for name in too_curved edges_smoothed vertices_moved flips splits still_curved needs_split invalid; do
+for name in too_curved edges_smoothed vertices_moved flips splits still_curved needs_split invalid patches_remeshed; do
   grep -q "\"$name\":" report.json || fail "no $name in the report"
 done
 

@@ -96,7 +96,7 @@ InsertResult insert_inside(Mesh& mesh, TriangleId t, const Barycentric& xi) {
 class EdgeSplit {
  public:
   /// Makes x and the edges a-x and x-b, and copies what the sides hold.
-  EdgeSplit(Mesh& mesh, HalfEdgeId h, double s);
+  EdgeSplit(Mesh& mesh, HalfEdgeId h, double s, SplitCheck check);
   PointId vertex() const { return x_; }
   /// Replaces each triangle by two; what they hold is a subdivision.
   void split_sides();
@@ -122,9 +122,10 @@ class EdgeSplit {
   EdgePoints first_, second_;                                                   // a-x and x-b
   std::array<HalfEdgeId, 2> first_half_{none, none}, second_half_{none, none};  // of the same edges, on either side
   std::array<TriangleId, 4> touched_{none, none, none, none};
+  std::array<bool, 2> may_be_invalid_{};  // the pieces on each side
 };
 
-EdgeSplit::EdgeSplit(Mesh& mesh, HalfEdgeId h, double s)
+EdgeSplit::EdgeSplit(Mesh& mesh, HalfEdgeId h, double s, SplitCheck check)
     : mesh_(mesh), s_(s), a_(mesh.origin(h)), sides_{h, mesh.twin(h)}, constraint_(mesh.constraint(h)) {
   const PointId b = mesh.target(h);
   const EdgePoints old = side_of(mesh, h).points;
@@ -133,7 +134,10 @@ EdgeSplit::EdgeSplit(Mesh& mesh, HalfEdgeId h, double s)
   second_ = new_edge(mesh, x_, b);
   for (int side = 0; side < 2; ++side) {  // before the shared points are overwritten
     const HalfEdgeId g = sides_[static_cast<std::size_t>(side)];
-    if (g != none) scratch(side).take(mesh, triangle_of(g));
+    if (g == none) continue;
+    scratch(side).take(mesh, triangle_of(g));
+    may_be_invalid_[static_cast<std::size_t>(side)] =
+        check == SplitCheck::stays_valid && !pliant::is_valid(mesh, triangle_of(g));
   }
 }
 
@@ -228,8 +232,9 @@ void EdgeSplit::place_on_curve(const BSpline& spline, double t0, double t, bool 
 }
 
 bool EdgeSplit::is_valid() const {
-  return std::all_of(touched_.begin(), touched_.end(),
-                     [this](TriangleId t) { return t == none || pliant::is_valid(mesh_, t); });
+  for (std::size_t k = 0; k < touched_.size(); ++k)
+    if (touched_[k] != none && !may_be_invalid_[k / 2] && !pliant::is_valid(mesh_, touched_[k])) return false;
+  return true;
 }
 
 }  // namespace
@@ -246,10 +251,10 @@ InsertResult insert_point(Mesh& mesh, TriangleId t, const Barycentric& xi, doubl
   return split_edge(mesh, half_edge(t, edge), s);
 }
 
-InsertResult split_edge(Mesh& mesh, HalfEdgeId h, double s) {
+InsertResult split_edge(Mesh& mesh, HalfEdgeId h, double s, SplitCheck check) {
   if (!(s > 0 && s < 1)) return {Refusal::not_in_domain, none};
   Transaction transaction(mesh);
-  EdgeSplit split(mesh, h, s);
+  EdgeSplit split(mesh, h, s, check);
   split.split_sides();
   if (!split.split_curve() || !split.is_valid()) return {Refusal::would_invert, none};
   transaction.commit();

@@ -16,8 +16,11 @@ struct InsertResult {
 /// edge_exists where it is a vertex.
 InsertResult insert_point(Mesh& mesh, TriangleId t, const Barycentric& xi, double edge_tolerance = 1e-6);
 
+/// What a split asks of the pieces: to be valid, or only those of valid elements to be so.
+enum class SplitCheck { all_valid, stays_valid };
+
 /// Splits an edge at s in (0, 1) along the half-edge; on a curve at the knot that this is, which is inserted.
 /// Geometry and fields unchanged.
-InsertResult split_edge(Mesh& mesh, HalfEdgeId h, double s);
+InsertResult split_edge(Mesh& mesh, HalfEdgeId h, double s, SplitCheck check = SplitCheck::all_valid);
 
 }  // namespace pliant

@@ -16,6 +16,19 @@ constexpr int most_pieces = 40;
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
+/// The border of a patch stays, so its signed integral is kept on tangled elements, too. Weights of both signs may ask
+/// for any values, which only limits bound. False, the fields as they were, where no
+/// values within them have the integral.
+bool fit_tangled(const Patch& patch, Mesh& mesh, std::span<const TriangleId> elements, std::span<const PointId> moved,
+                 const RefitOptions& options) {
+  RefitOptions fit = options;
+  if (fit.projection == Projection::conservative) fit.projection = Projection::limited;
+  Transaction transaction(mesh);
+  if (!patch.fit_fields(mesh, elements, moved, fit)) return false;
+  transaction.commit();
+  return true;
+}
+
 }  // namespace
 
 void TrialPatch::capture(const Mesh& mesh, std::span<const TriangleId> elements) {
@@ -131,7 +144,11 @@ Refusal TrialPatch::apply(Mesh& mesh, const RefitOptions& options, bool must_be_
   for (const PointId p : moved) mesh.set_point(p, point(p));
   const bool is_valid = all_valid(mesh, elements_);
   if (must_be_valid && !is_valid) return Refusal::would_invert;
-  if (!patch.fit_fields(mesh, elements_, moved, options, was_valid && is_valid)) return Refusal::loses_integral;
+  if (was_valid && is_valid) {
+    if (!patch.fit_fields(mesh, elements_, moved, options)) return Refusal::loses_integral;
+  } else if (!fit_tangled(patch, mesh, elements_, moved, options)) {
+    patch.fit_fields(mesh, elements_, moved, options, false);  // a change that untangles must not be refused
+  }
   transaction.commit();
   return Refusal::done;
 }

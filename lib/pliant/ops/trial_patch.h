@@ -43,9 +43,10 @@ class TrialPatch {
   /// barycentric coordinate of v, so that straight elements stay straight.
   void drag(PointId v, const Vector& shift);
 
-  /// Moves the mesh's points to where they are here, and refits their fields over the elements (paper §5.2.4); on
-  /// tangled elements, where the old function is no function, linear functions are kept. With `must_be_valid` refuses,
-  /// the mesh unchanged, unless all elements are certified valid.
+  /// Moves the mesh's points to where they are here, and refits their fields over the elements (paper §5.2.4). On
+  /// tangled elements, where the old function has several values in a place, one of them is taken, the signed integral
+  /// is kept where limited values can have it, and values are limited also where options.projection is `conservative`.
+  /// With `must_be_valid` refuses, the mesh unchanged, unless all elements are certified valid.
   Refusal apply(Mesh& mesh, const RefitOptions& options, bool must_be_valid) const;
 
  private:

@@ -1,0 +1,54 @@
+// lib/pliant/generate/patch_region.h: a connected set of elements of one face that is to be meshed anew, and its
+// border.
+#pragma once
+#include <span>
+#include <vector>
+
+#include "pliant/boundary/boundary_complex.h"
+#include "pliant/mesh/mesh.h"
+
+namespace pliant {
+
+/// Grows from an invalid element, never across a constrained edge.
+class PatchRegion {
+ public:
+  /// `invalid`: for each triangle slot at that time; slots beyond are valid.
+  /// The region is the cluster of invalid elements around the seed, and one ring.
+  PatchRegion(const Mesh& mesh, const std::vector<char>& invalid, TriangleId seed);
+
+  /// Adds rings, and the clusters of invalid elements that these touch; false where there is nothing more to add.
+  bool grow(int rings);
+
+  const std::vector<TriangleId>& triangles() const { return triangles_; }
+  bool contains(TriangleId t) const { return static_cast<std::size_t>(t) < member_.size() && member_[at(t)]; }
+  /// Adds an element that was split off.
+  void add(TriangleId t);
+
+ private:
+  static std::size_t at(TriangleId t) { return static_cast<std::size_t>(t); }
+  bool is_invalid(TriangleId t) const { return at(t) < invalid_.size() && invalid_[at(t)]; }
+  bool add_ring();
+  bool add_cluster();
+  void fill_notches();
+
+  const Mesh& mesh_;
+  const std::vector<char>& invalid_;
+  std::vector<TriangleId> triangles_;
+  std::vector<char> member_;
+};
+
+/// An edge on the border of a region, which lies on its left; on both sides where a curve ends inside a face.
+struct BorderEdge {
+  PointId from, to;
+  bool is_slit;
+};
+
+/// A region as a boundary to be meshed.
+struct RegionBoundary {
+  BoundaryComplex complex;  ///< one face, one curve for each edge of the border, in their order
+  std::vector<BorderEdge> border;
+  std::vector<PointId> vertices;  ///< of the complex: points of the mesh; the last ones are lone vertices
+};
+RegionBoundary boundary_of(const Mesh& mesh, const PatchRegion& region);
+
+}  // namespace pliant
