@@ -35,6 +35,18 @@ constexpr double much_turning = 1.0;          // radians
 constexpr long triangles_per_new_vertex = 8;  // a mesh that has more keeps its numbers
 constexpr double off_center = 0.95;           // of the distance at which the triangle would be just good enough
 
+double longest_edge(const Mesh& mesh, TriangleId t) {
+  double longest = 0;
+  for (int e = 0; e < 3; ++e)
+    longest = std::max(longest, distance(mesh.point(mesh.corner(t, e)), mesh.point(mesh.corner(t, (e + 1) % 3))));
+  return longest;
+}
+
+/// Is it opposite a small angle between two curves, which nothing mends?
+bool is_excused(const Mesh& mesh, TriangleId t, const SharpCorners& corners) {
+  return !corners.empty() && corners.excuses(mesh, shortest_edge(mesh, t), longest_edge(mesh, t));
+}
+
 /// What all rounds have done, and what the last one has left.
 struct Tally {
   long insertions = 0, splits = 0;
@@ -94,10 +106,8 @@ class Round {
     const HalfEdgeId shortest = shortest_edge(mesh_, t);
     const double least = std::sqrt(squared(shortest));
     if (least <= 2 * floor_) return give_up(t, "at the least size");
-    const double longest =
-        std::sqrt(std::max({squared(shortest), squared(next(shortest)), squared(previous(shortest))}));
-    if (attack.is_poor && !corners_.empty() && corners_.excuses(mesh_, shortest, longest))
-      return give_up(t, "opposite a small angle");
+    const double longest = longest_edge(mesh_, t);
+    if (attack.is_poor && is_excused(mesh_, t, corners_)) return give_up(t, "opposite a small angle");
     const auto corners = corners_of(mesh_, t);
     if (const auto tried = tried_.find(corners); tried != tried_.end() && tried->second >= most_points)
       return give_up(t, "many points beside it did not help");
@@ -259,11 +269,24 @@ void Round::exceed(const Attack& attack) const {
   throw TooManyTriangles(text + ", or allow more (--max-triangles)");
 }
 
+/// Poor triangles, those that are turned over among them, but for what small angles between curves excuse.
 std::vector<TriangleId> find_poor(const Mesh& mesh, const QualityGoals& goals) {
-  std::vector<TriangleId> poor = find_turned_over(mesh);
+  std::vector<TriangleId> poor;
   for (TriangleId t = 0; t < mesh.triangle_slots(); ++t)
-    if (mesh.is_alive(t) && attack_on(mesh, t, goals).is_poor) poor.push_back(t);
+    if (mesh.is_alive(t) && (is_turned_over(mesh, t) || attack_on(mesh, t, goals).is_poor)) poor.push_back(t);
+  if (poor.empty()) return poor;
+  const SharpCorners corners(mesh);
+  std::erase_if(poor, [&](TriangleId t) { return is_excused(mesh, t, corners); });
   return poor;
+}
+
+/// Removes what would keep poor triangles from being flipped.
+void tame_poor(Mesh& mesh, const RefineOptions& options, Tally& tally) {
+  const std::vector<TriangleId> poor = find_poor(mesh, options.goals);
+  if (poor.empty()) return;
+  const TameCounts tamed = Tamer(mesh, options.refit, tally.flips).tame(poor, options.max_triangles);
+  tally.insertions += tamed.splits;
+  tally.splits += tamed.curve_splits;
 }
 
 /// Elements that miss the goals.
@@ -301,10 +324,7 @@ PassReport refine(Mesh& mesh, const RefineOptions& options) {
   long before = 0;
   do {
     before = tally.points();
-    Tamer tamer(mesh, options.refit, tally.flips);
-    const TameCounts tamed = tamer.tame(find_poor(mesh, options.goals), options.max_triangles);
-    tally.insertions += tamed.splits;
-    tally.splits += tamed.curve_splits;
+    tame_poor(mesh, options, tally);
     Round(mesh, options, tally).run();
     // Numbers in the order of insertion would send every later pass from one end of the memory to the other.
     if ((tally.points() - before) * triangles_per_new_vertex > mesh.triangle_count())

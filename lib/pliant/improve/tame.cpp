@@ -42,12 +42,14 @@ double bend_of(const Mesh& mesh, HalfEdgeId h) {
 
 }  // namespace
 
+bool is_turned_over(const Mesh& mesh, TriangleId t) {
+  return orient2d(mesh.point(mesh.corner(t, 0)), mesh.point(mesh.corner(t, 1)), mesh.point(mesh.corner(t, 2))) <= 0;
+}
+
 std::vector<TriangleId> find_turned_over(const Mesh& mesh) {
   std::vector<TriangleId> found;
   for (TriangleId t = 0; t < mesh.triangle_slots(); ++t)
-    if (mesh.is_alive(t) &&
-        orient2d(mesh.point(mesh.corner(t, 0)), mesh.point(mesh.corner(t, 1)), mesh.point(mesh.corner(t, 2))) <= 0)
-      found.push_back(t);
+    if (mesh.is_alive(t) && is_turned_over(mesh, t)) found.push_back(t);
   return found;
 }
 
@@ -84,6 +86,7 @@ bool Tamer::split_bend_beside(const RefusedEdge& edge) {
   const HalfEdgeId h = find_half_edge(mesh_, edge.origin, edge.target);
   if (h == none || !wants_flip(edge_state(mesh_, h))) return false;
   const HalfEdgeId g = mesh_.twin(h);
+  if (is_in_wedge(triangle_of(h)) || is_in_wedge(triangle_of(g))) return false;
   HalfEdgeId most = none;
   double turning = much_turning;
   for (const HalfEdgeId side : {next(h), previous(h), next(g), previous(g)})
@@ -101,9 +104,14 @@ bool Tamer::split_bend_beside(const RefusedEdge& edge) {
   return is_cut;
 }
 
-bool Tamer::is_wild(TriangleId t) const {
-  return mesh_.is_alive(t) && orient2d(mesh_.point(mesh_.corner(t, 0)), mesh_.point(mesh_.corner(t, 1)),
-                                       mesh_.point(mesh_.corner(t, 2))) <= 0;
+bool Tamer::is_wild(TriangleId t) const { return mesh_.is_alive(t) && is_turned_over(mesh_, t) && !is_in_wedge(t); }
+
+bool Tamer::is_in_wedge(TriangleId t) const {
+  if (corners_.empty()) return false;
+  for (int c = 0; c < 3; ++c)
+    if (corners_.narrow_wedge(mesh_, mesh_.corner(t, c), mesh_.corner(t, (c + 1) % 3), mesh_.face(t)) != none)
+      return true;
+  return false;
 }
 
 /// The bent edges of these elements and their neighbours; then flips, by which further elements may change.
@@ -172,6 +180,7 @@ bool Tamer::split(HalfEdgeId h) {
   const Point &a = mesh_.point(mesh_.origin(h)), &b = mesh_.point(mesh_.target(h));
   if (distance(a, b) <= least_edge * mesh_.tolerance()) return false;
   const bool on_curve = mesh_.is_constrained(h);
+  const PointId first = mesh_.origin(h), last = mesh_.target(h);
   std::array<std::pair<HalfEdgeId, Piece>, 2> before;
   int sides = 0;
   for (const HalfEdgeId g : {h, mesh_.twin(h)})
@@ -179,6 +188,7 @@ bool Tamer::split(HalfEdgeId h) {
   const InsertResult made = split_edge(mesh_, h, 0.5);
   if (made.refusal != Refusal::done) return false;
   ++(on_curve ? counts_.curve_splits : counts_.splits);
+  if (on_curve) corners_.add_between(made.vertex, first, last);
   Star star;
   find_star(mesh_, made.vertex, star);
   for (const HalfEdgeId out : star.outgoing) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "pliant/improve/legalize.h"
+#include "pliant/improve/sharp_corners.h"
 #include "pliant/mesh/mesh.h"
 #include "pliant/ops/outcome.h"
 
@@ -25,9 +26,12 @@ struct TameCounts {
 /// with it; among equal ones across the one that bends most. The neighbour is cut first where it has a longer one
 /// (Rivara's longest-edge bisection), so that the pieces' references belong to few similarity classes and the depth is
 /// bounded by how uneven the element's derivative is. An element that an edge's move or flip has changed starts anew.
+///
+/// What lies in a narrow wedge between two curves is left alone: there refinement splits both sides alike.
 class Tamer {
  public:
-  Tamer(Mesh& mesh, const RefitOptions& refit, LegalizeCounts& flips) : mesh_(mesh), refit_(refit), flips_(flips) {}
+  Tamer(Mesh& mesh, const RefitOptions& refit, LegalizeCounts& flips)
+      : mesh_(mesh), refit_(refit), flips_(flips), corners_(mesh) {}
 
   /// Works on these elements, and on what comes of them, as long as there are no more than `max_triangles`. What it
   /// changes is added to `touched`.
@@ -43,6 +47,7 @@ class Tamer {
   };
 
   bool is_wild(TriangleId t) const;
+  bool is_in_wedge(TriangleId t) const;
   void straighten_and_flip(const std::vector<TriangleId>& seeds);
   bool cut(TriangleId t);
   bool split_bend_beside(const RefusedEdge& edge);
@@ -54,12 +59,14 @@ class Tamer {
   Mesh& mesh_;
   const RefitOptions& refit_;
   LegalizeCounts& flips_;
+  SharpCorners corners_;
   TameCounts counts_;
   std::unordered_map<TriangleId, Piece> pieces_;
   std::vector<TriangleId> changed_;
   std::vector<RefusedEdge> refused_;
 };
 
+bool is_turned_over(const Mesh& mesh, TriangleId t);
 /// The straight triangles that are not positive.   Complexity  O(triangles)
 std::vector<TriangleId> find_turned_over(const Mesh& mesh);
 
