@@ -284,7 +284,9 @@ std::vector<TriangleId> find_poor(const Mesh& mesh, const QualityGoals& goals) {
 void tame_poor(Mesh& mesh, const RefineOptions& options, Tally& tally) {
   const std::vector<TriangleId> poor = find_poor(mesh, options.goals);
   if (poor.empty()) return;
-  const TameCounts tamed = Tamer(mesh, options.refit, tally.flips).tame(poor, options.max_triangles);
+  long most = options.max_triangles;  // a cut makes one or two more
+  if (options.max_insertions) most = std::min(most, mesh.triangle_count() + *options.max_insertions - tally.points());
+  const TameCounts tamed = Tamer(mesh, options.refit, tally.flips).tame(poor, most);
   tally.insertions += tamed.splits;
   tally.splits += tamed.curve_splits;
 }
