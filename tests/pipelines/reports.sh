@@ -14,7 +14,9 @@ assert len(lines) == 4
 for number, line in enumerate(lines):
     assert line["tool"] == sys.argv[1] and line["frame"] == number
     assert set(line) == {"tool", "frame", "time", "values", "refusals", "refused_at", "notes", "before", "after",
-                         "growth", "seconds"}
+                         "missed_before", "missed_after", "growth", "seconds"}
+    for missed in line["missed_before"], line["missed_after"]:
+        assert set(missed) == {"invalid", "turned_over", "too_curved", "too_large", "too_poor"}
     assert all(isinstance(value, (int, float)) for value in line["values"].values())
     assert all(isinstance(value, int) and value > 0 for value in line["refusals"].values())
     for refused in line["refused_at"]:
