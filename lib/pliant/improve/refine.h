@@ -18,9 +18,10 @@ struct RefineOptions {
 };
 
 /// Refines until every element meets the goals or is given up; each element that does not meet them at the end is
-/// counted in the report, with its reason and place. Works in rounds, each with an empty history, until one inserts
-/// nothing: so what is tried depends on the mesh that is left alone, and refining it again with the same goals changes
-/// nothing.
+/// counted in the report, with its reason and place. Before each round what keeps poor triangles from being flipped is
+/// removed (Tamer): so valid meshes that have moved far come back. Works in rounds, each with an empty history, until
+/// one inserts nothing: so what is tried depends on the mesh that is left alone, and refining it again with the same
+/// goals changes nothing.
 ///
 /// Mending a shape splits no edge on a curve into parts shorter than the triangle's own shortest edge, unless another
 /// vertex is as close to that edge; nor does it insert a point closer to others than that. With the bounds on angles

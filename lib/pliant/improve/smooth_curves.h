@@ -52,6 +52,9 @@ struct SmoothOutcome {
 /// by a hundredth, at most `max_sweeps` times after each of these beginnings. It ends when no visit finds a change to
 /// keep.
 ///
+/// Where edges alone leave elements invalid, vertices are moved and edges flipped for these elements whatever the
+/// options say.
+///
 /// `vertices`, `flips` and `split` begin, in this order, where what came before has left elements too curved, and keep
 /// a change only if neither the least shape nor the least scaled Jacobian of the mesh (LeastQuality) falls below what
 /// it was at this beginning, and no more elements are invalid: an option more never leaves a worse mesh.

@@ -53,7 +53,7 @@ std::vector<TriangleId> find_turned_over(const Mesh& mesh) {
   return found;
 }
 
-TameCounts Tamer::tame(std::vector<TriangleId> seeds, long max_triangles, std::vector<TriangleId>* touched) {
+TameCounts Tamer::tame(std::vector<TriangleId> seeds, long max_triangles) {
   counts_ = {};
   std::vector<TriangleId> wild;
   for (int level = 0; level < most_levels && !seeds.empty(); ++level) {
@@ -66,10 +66,9 @@ TameCounts Tamer::tame(std::vector<TriangleId> seeds, long max_triangles, std::v
     for (const TriangleId t : seeds)
       if (is_wild(t) && mesh_.triangle_count() < max_triangles) is_cut = cut(t) || is_cut;
     for (const RefusedEdge& edge : refused_)
-      if (mesh_.triangle_count() < max_triangles) is_cut = split_bend_beside(edge) || is_cut;
+      if (mesh_.triangle_count() < max_triangles) is_cut = unbend_beside(edge) || is_cut;
     std::sort(changed_.begin(), changed_.end());
     changed_.erase(std::unique(changed_.begin(), changed_.end()), changed_.end());
-    if (touched) touched->insert(touched->end(), changed_.begin(), changed_.end());
     wild.clear();
     for (const TriangleId t : changed_)
       if (is_wild(t)) wild.push_back(t);
@@ -82,7 +81,7 @@ TameCounts Tamer::tame(std::vector<TriangleId> seeds, long max_triangles, std::v
 
 /// A curve that bends much beside an edge may be what refused its flip, or bent inner edges that could not be
 /// straightened: halves of the one and pieces of the elements beside the others bend less.
-bool Tamer::split_bend_beside(const RefusedEdge& edge) {
+bool Tamer::unbend_beside(const RefusedEdge& edge) {
   const HalfEdgeId h = find_half_edge(mesh_, edge.origin, edge.target);
   if (h == none || !wants_flip(edge_state(mesh_, h))) return false;
   const HalfEdgeId g = mesh_.twin(h);

@@ -17,10 +17,11 @@ struct TameCounts {
   long left = 0;          ///< straight triangles that are still not positive
 };
 
-/// Makes the straight triangles of valid elements positive. Edges around one that is not are straightened, and flipped
-/// where that makes both triangles positive; where it stays so the element is cut in two at an edge's middle. This is
-/// exact subdivision: geometry and fields stay. Since det J > 0 on the closed element, small pieces are nearly affine,
-/// and their straight triangles are positive.
+/// Makes the straight triangles of valid elements positive, and their edges Delaunay as far as bends are in the way of
+/// that. Edges around a triangle that is turned over are straightened, and flipped where that makes both triangles
+/// positive; where it stays so the element is cut in two at an edge's middle. This is exact subdivision: geometry and
+/// fields stay. Since det J > 0 on the closed element, small pieces are nearly affine, and their straight triangles are
+/// positive. Beside a flip that was refused a curve that bends much is split, or an element with a bent edge cut.
 ///
 /// An element is cut across the longest edge of its *reference triangle*, which starts out equilateral and is cut along
 /// with it; among equal ones across the one that bends most. The neighbour is cut first where it has a longer one
@@ -33,11 +34,11 @@ class Tamer {
   Tamer(Mesh& mesh, const RefitOptions& refit, LegalizeCounts& flips)
       : mesh_(mesh), refit_(refit), flips_(flips), corners_(mesh) {}
 
-  /// Works on these elements, and on what comes of them, as long as there are no more than `max_triangles`. What it
-  /// changes is added to `touched`.
+  /// Works on these elements, one level of cuts after the other, and on what comes of them, as long as there are no
+  /// more than `max_triangles`.
   ///
   /// Complexity  O(elements given + pieces made)
-  TameCounts tame(std::vector<TriangleId> seeds, long max_triangles, std::vector<TriangleId>* touched = nullptr);
+  TameCounts tame(std::vector<TriangleId> seeds, long max_triangles);
 
  private:
   using Corners = std::array<PointId, 3>;
@@ -50,7 +51,7 @@ class Tamer {
   bool is_in_wedge(TriangleId t) const;
   void straighten_and_flip(const std::vector<TriangleId>& seeds);
   bool cut(TriangleId t);
-  bool split_bend_beside(const RefusedEdge& edge);
+  bool unbend_beside(const RefusedEdge& edge);
   bool split(HalfEdgeId h);
   Piece& piece(TriangleId t);
   double reference_length(HalfEdgeId h);
