@@ -7,6 +7,7 @@ remesh: advect, a new mesh of the moved boundary at the same criteria, its curve
 
 The flow turns each circle around (1.5, 1.5) rigidly, so that the exact field is known at any time. A line of JSON a way and report goes
 out. Usage: remesh_or_repair.py --bin build/release/bin [--degree 2|3] [--triangles N] [--steps N] [--ways repair,remesh]
+       [--projection limited|conservative|l2]
 """
 import argparse
 import json
@@ -233,11 +234,12 @@ class Way:
         return ["coarsen", "--tolerance", self.options.tolerance]
 
     def repair(self, moved, target):
+        projection = ["--projection", self.options.projection]
         pipe = [["smoothcurves"], ["flipdelaunay"], ["refine"], self.coarsen(), ["smoothcurves"]]
         source = moved
         for k, stage in enumerate(pipe):
             out = target if k + 1 == len(pipe) else self.folder / f"stage{k}.json"
-            self.run(stage, source, out, "mesh")
+            self.run([*stage, *projection], source, out, "mesh")
             source = out
 
     def remesh(self, moved, target):
@@ -296,6 +298,7 @@ def main():
     parser.add_argument("--steps", type=int, default=100)
     parser.add_argument("--dt", type=float, default=0.05)
     parser.add_argument("--tolerance", type=float, default=1e-4, help="of coarsen; 0: no knots are removed")
+    parser.add_argument("--projection", default="limited", help="of the repair: l2, conservative or limited, as the tools do")
     parser.add_argument("--ways", default="repair,remesh")
     parser.add_argument("--report", default="10,25,50,100", help="after which steps")
     parser.add_argument("--tool-seconds", type=float, default=60)
