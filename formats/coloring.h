@@ -75,8 +75,9 @@ class ElementValues {
   double departure(TriangleId t) const;
   /// Greatest less smallest value at the element's corners and edge midpoints.
   double spread(TriangleId t) const;
-  /// Of all elements but those to leave out (in ascending order): of metrics the true range, of fields that of values
-  /// on a lattice of each element. Elements that are not valid are left out as their numbers would drown the others.
+  /// The range over all elements but those to leave out (in ascending order): true for metrics, and that of the values
+  /// on a lattice of each element for fields. Elements that are not valid are left out as their numbers would drown the
+  /// others.
   ValueRange range(std::span<const TriangleId> without = {}) const;
   /// For a legend: "least shape of the element", "field u, component 1".
   const std::string& title() const { return title_; }

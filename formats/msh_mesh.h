@@ -39,7 +39,7 @@ EdgeFindings pair_edges(MeshData& mesh, bool convert);
 /// A warning that names nodes at one place on open edges, by their tags; empty where there are none.
 std::string name_double_nodes(const MshFile& file, const MeshData& mesh, const std::vector<OpenEdge>& open);
 /// The other triangle's half-edge between the same two vertices, in whichever direction; none where there is none.
-/// Of three and more triangles at an edge two are paired, and the others are their own.
+/// Where three and more triangles share an edge, two are paired, and the others are their own.
 /// Complexity  O(half-edges) unless vertices have huge stars
 std::vector<HalfEdgeId> twins_by_vertices(const MeshData& mesh);
 

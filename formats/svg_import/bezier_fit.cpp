@@ -183,7 +183,7 @@ void BezierFit::add_arc(const Point& start, const Point& center, const Vector& u
   const double greatest = std::sqrt((uu + vv + std::hypot(uu - vv, 2 * uv)) / 2);
   const double least = greatest > 0 ? std::abs(cross(u, v)) / greatest : 0;
   if (least <= rounding * greatest) return add_line(start, end, false, out);  // flattened by a transform
-  // Of a piece of angle 2h on the unit circle: the parabola is off by 2 sin^4(h/2) / cos(h) at its middle, the cubic by
+  // A piece of angle 2h on the unit circle: the parabola is off by 2 sin^4(h/2) / cos(h) at its middle, the cubic by
   // at most 2/27 sin^6(h/2) / cos^2(h/2) (Dokken, Daehlen, Lyche and Morken, 1990).
   const auto error_of = [&](double h) {
     const double s = std::sin(h / 2), s2 = s * s;

@@ -149,7 +149,7 @@ class GraphBuilder {
     graph_.regions = regions_ - static_cast<long>(leftmost_.size());
   }
 
-  /// Of each component's leftmost node, with respect to the other components.
+  /// The windings at each component's leftmost node, with respect to the other components.
   std::vector<Winding> windings_from_outside() const {
     std::vector<Winding> winding(leftmost_.size());
     if (leftmost_.size() < 2) return winding;

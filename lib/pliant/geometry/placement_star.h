@@ -48,7 +48,7 @@ class PlacementStar {
   int moving(std::size_t e) const { return elements_[e].moving; }
   std::span<const PlacementElement> elements() const { return elements_; }
 
-  /// Of the box of the fixed control points: its middle, and the greater half side (0.5 to 1, or 0).
+  /// The box of the fixed control points: its middle, and the greater half side (0.5 to 1, or 0).
   const Point& middle() const { return middle_; }
   double half() const { return half_; }
   Point local(const Point& world_place) const { return (world_place - origin_) / size_; }

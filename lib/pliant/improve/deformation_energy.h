@@ -13,7 +13,7 @@ namespace pliant {
 /// What an element should look like: the inverse of the matrix that maps the unit right triangle to a wanted triangle.
 struct WantedShape {
   double xx = 1, xy = 0, yx = 0, yy = 1;
-  /// Of the triangle with the corner 0 and these two sides, counter-clockwise.
+  /// The shape of the triangle with the corner 0 and these two sides, counter-clockwise.
   static WantedShape of(const Vector& u, const Vector& v);
   /// The gradient in the wanted triangle of a function with these slopes along the unit right triangle's sides.
   Vector gradient(const Vector& slope) const { return {slope.x * xx + slope.y * yx, slope.x * xy + slope.y * yy}; }

@@ -31,7 +31,7 @@ constexpr double default_floor = 1e-9;     // of the mesh's size: least distance
 constexpr double least_of_gap = 0.5;       // half an edge on a curve, of the distance of the vertex opposite
 constexpr double least_of_shortest = 0.8;  // the same, of a poor triangle's shortest edge, up to 30 degrees
 constexpr double least_of_longest = 0.2;
-constexpr double much_turning = 1.0;          // radians
+constexpr double much_turning = 1.0;          // radians: an edge on a curve that turns by more may have shorter halves
 constexpr long triangles_per_new_vertex = 8;  // a mesh that has more keeps its numbers
 constexpr double off_center = 0.95;           // of the distance at which the triangle would be just good enough
 

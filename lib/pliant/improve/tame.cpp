@@ -16,7 +16,7 @@ namespace {
 constexpr int most_levels = 60;        // each halves the area of the pieces that are left
 constexpr int most_neighbours = 100;   // that are cut before an element is
 constexpr double equal_length = 1e-6;  // reference lengths that differ by less are the same up to rounding
-constexpr double much_turning = 0.35;  // radians, of an edge on a curve
+constexpr double much_turning = 0.35;  // radians: an edge on a curve that turns by more may keep flips from being made
 constexpr double least_edge = 16;      // in tolerances: shorter edges are not cut
 
 Barycentric middle_of(const Barycentric& a, const Barycentric& b) {
