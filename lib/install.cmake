@@ -12,7 +12,7 @@ install(TARGETS pliant pliant_geometry pliant_boundary pliant_mesh pliant_ops pl
 install(DIRECTORY ${CMAKE_CURRENT_LIST_DIR}/pliant DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.h"
         PATTERN "smooth_globally.h" EXCLUDE PATTERN "minimize_deformation.h" EXCLUDE
         PATTERN "deformation_energy.h" EXCLUDE PATTERN "free_points.h" EXCLUDE PATTERN "wanted_shapes.h" EXCLUDE)
-# In the tree and installed, these are included as "formats/mesh_json.h".
+# In the tree and installed, these are included as "formats/document/mesh_json.h".
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/formats DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/pliant
         FILES_MATCHING PATTERN "*.h")
 

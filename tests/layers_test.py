@@ -78,7 +78,7 @@ class Layers(unittest.TestCase):
 
     def test_an_include_below_or_within_is_allowed(self):
         self.assertEqual([], faults_of("lib/pliant/ops/a.cpp", '#include "pliant/mesh/mesh.h"\n#include <vector>\n'))
-        self.assertEqual([], faults_of("tools/a.cpp", '#include "formats/svg.h"\n#include <CLI/CLI.hpp>\n'))
+        self.assertEqual([], faults_of("tools/a.cpp", '#include "formats/picture/svg.h"\n#include <CLI/CLI.hpp>\n'))
         self.assertEqual([], faults_of("formats/a.cpp", '#include "formats/b.h"\n'))
 
     def test_an_include_above_is_a_fault(self):

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "filter.h"
-#include "formats/document_place.h"
+#include "formats/document/document_place.h"
 
 namespace pliant {
 

@@ -3,7 +3,7 @@
 #include <stdexcept>
 
 #include "filter.h"
-#include "formats/gltf.h"
+#include "formats/picture/gltf.h"
 #include "picture_options.h"
 
 int main(int argc, char** argv) {

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "filter.h"
-#include "formats/msh_writer.h"
+#include "formats/msh/msh_writer.h"
 #include "frame_option.h"
 
 namespace {

@@ -5,7 +5,7 @@
 
 #include "criteria_options.h"
 #include "filter.h"
-#include "formats/svg.h"
+#include "formats/picture/svg.h"
 #include "frame_option.h"
 #include "picture_options.h"
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "filter.h"
-#include "pliant/flow/interpolate_nodes.h"
+#include "pliant/mesh/interpolate_nodes.h"
 
 namespace pliant {
 namespace {

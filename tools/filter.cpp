@@ -7,7 +7,7 @@
 
 #include "criteria_options.h"
 #include "doubts.h"
-#include "formats/mesh_json.h"
+#include "formats/document/mesh_json.h"
 #include "pliant/geometry/describe.h"
 #include "pliant/mesh/check_mesh.h"
 #include "pliant/mesh/document_unit.h"

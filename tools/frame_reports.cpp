@@ -7,7 +7,7 @@
 #include <system_error>
 
 #include "filter.h"
-#include "formats/write_json.h"
+#include "formats/document/write_json.h"
 #include "pliant/geometry/describe.h"
 #include "progress_line.h"
 

@@ -2,8 +2,8 @@
 #pragma once
 #include <string>
 
+#include "pliant/improve/global/smooth_globally.h"
 #include "pliant/improve/smooth_curves.h"
-#include "pliant/improve/smooth_globally.h"
 
 namespace CLI {
 class App;

@@ -4,8 +4,8 @@
 #include "criteria_options.h"
 #include "field_option.h"
 #include "filter.h"
-#include "formats/mesh_json.h"
-#include "formats/msh.h"
+#include "formats/document/mesh_json.h"
+#include "formats/msh/msh.h"
 #include "pliant/mesh/check_mesh.h"
 #include "pliant/mesh/document_unit.h"
 

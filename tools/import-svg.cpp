@@ -7,9 +7,9 @@
 
 #include "criteria_options.h"
 #include "filter.h"
-#include "formats/mesh_json.h"
-#include "formats/recognize.h"
-#include "formats/svg_reader.h"
+#include "formats/document/mesh_json.h"
+#include "formats/document/recognize.h"
+#include "formats/svg_import/svg_reader.h"
 
 namespace {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "formats/coloring.h"
+#include "formats/picture/coloring.h"
 
 namespace CLI {
 class App;

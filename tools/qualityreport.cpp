@@ -6,13 +6,13 @@
 #include <stdexcept>
 
 #include "filter.h"
-#include "formats/report_csv.h"
-#include "formats/report_html.h"
-#include "formats/report_json.h"
-#include "formats/report_text.h"
+#include "formats/report/report_csv.h"
+#include "formats/report/report_html.h"
+#include "formats/report/report_json.h"
+#include "formats/report/report_text.h"
 #include "pliant/geometry/describe.h"
 #include "pliant/mesh/document_unit.h"
-#include "pliant/quality/condition.h"
+#include "pliant/quality/element/condition.h"
 #include "pliant/quality/quality_report.h"
 
 namespace {

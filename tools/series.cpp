@@ -8,9 +8,9 @@
 #include <system_error>
 
 #include "doubts.h"
-#include "formats/mesh_json.h"
-#include "formats/msh.h"
-#include "formats/read_json.h"
+#include "formats/document/mesh_json.h"
+#include "formats/document/read_json.h"
+#include "formats/msh/msh.h"
 #include "pliant/mesh/document_unit.h"
 
 namespace pliant {

@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "filter.h"
-#include "formats/recognize.h"
+#include "formats/document/recognize.h"
 
 namespace pliant {
 

@@ -2,7 +2,7 @@
 #include <CLI/CLI.hpp>
 
 #include "filter.h"
-#include "formats/recognize.h"
+#include "formats/document/recognize.h"
 
 namespace pliant {
 

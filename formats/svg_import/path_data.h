@@ -2,7 +2,7 @@
 #pragma once
 #include <string_view>
 
-#include "formats/svg_import/outline.h"
+#include "formats/svg_import/areas/outline.h"
 
 namespace pliant::svg {
 

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "formats/svg_import/areas/outline.h"
 #include "formats/svg_import/element_tree.h"
-#include "formats/svg_import/outline.h"
 
 namespace pliant::svg {
 

@@ -2,8 +2,8 @@
 #pragma once
 #include <limits>
 
+#include "formats/svg_import/areas/outline.h"
 #include "formats/svg_import/element_tree.h"
-#include "formats/svg_import/outline.h"
 #include "formats/svg_import/scanner.h"
 
 namespace pliant::svg {

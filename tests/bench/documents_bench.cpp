@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "formats/mesh_json.h"
+#include "formats/document/mesh_json.h"
 #include "pliant/geometry/net_layout.h"
 
 namespace {

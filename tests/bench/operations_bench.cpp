@@ -7,7 +7,7 @@
 
 #include "pliant/generate/mesh_from_boundary.h"
 #include "pliant/geometry/control_net.h"
-#include "pliant/geometry/validity.h"
+#include "pliant/geometry/validity/validity.h"
 #include "pliant/improve/coarsen.h"
 #include "pliant/improve/enforce_delaunay.h"
 #include "pliant/improve/refine.h"

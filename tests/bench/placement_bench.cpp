@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "pliant/geometry/optimal_placement.h"
+#include "pliant/geometry/placement/optimal_placement.h"
 #include "support/placement_stars.h"
 
 namespace {

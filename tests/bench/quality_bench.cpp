@@ -7,9 +7,9 @@
 #include <random>
 
 #include "pliant/geometry/net_layout.h"
-#include "pliant/quality/element_forms.h"
-#include "pliant/quality/element_measures.h"
-#include "pliant/quality/element_quality.h"
+#include "pliant/quality/element/element_forms.h"
+#include "pliant/quality/element/element_measures.h"
+#include "pliant/quality/element/element_quality.h"
 #include "pliant/quality/quality_report.h"
 
 using namespace pliant;

@@ -6,9 +6,9 @@
 #include <complex>
 #include <vector>
 
-#include "pliant/geometry/jacobian.h"
-#include "pliant/geometry/jacobian_terms.h"
-#include "pliant/geometry/validity.h"
+#include "pliant/geometry/validity/jacobian.h"
+#include "pliant/geometry/validity/jacobian_terms.h"
+#include "pliant/geometry/validity/validity.h"
 #include "support/triangles.h"
 
 namespace {

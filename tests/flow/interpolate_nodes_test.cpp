@@ -1,5 +1,5 @@
 // tests/flow/interpolate_nodes_test.cpp: functions brought into the basis of the mesh: what is exact, and orders.
-#include "pliant/flow/interpolate_nodes.h"
+#include "pliant/mesh/interpolate_nodes.h"
 
 #include "flow_meshes.h"
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "formats/mesh_json.h"
+#include "formats/document/mesh_json.h"
 #include "support/triangles.h"
 
 using namespace pliant;

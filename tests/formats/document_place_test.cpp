@@ -1,12 +1,12 @@
 // tests/formats/document_place_test.cpp: a pointer leads to the line and column of its value.
-#include "formats/document_place.h"
+#include "formats/document/document_place.h"
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "formats/mesh_json.h"
-#include "formats/read_json.h"
+#include "formats/document/mesh_json.h"
+#include "formats/document/read_json.h"
 
 using namespace pliant;
 

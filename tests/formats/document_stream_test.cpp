@@ -8,7 +8,7 @@
 #include <thread>
 #include <vector>
 
-#include "formats/mesh_json.h"
+#include "formats/document/mesh_json.h"
 
 using namespace pliant;
 

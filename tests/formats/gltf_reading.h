@@ -10,10 +10,10 @@
 #define TINYGLTF_NO_STB_IMAGE_WRITE
 #include <tiny_gltf.h>
 
-#include "formats/gltf.h"
-#include "formats/mesh_edges.h"
-#include "formats/tessellation.h"
-#include "pliant/geometry/jacobian.h"
+#include "formats/picture/gltf.h"
+#include "formats/picture/mesh_edges.h"
+#include "formats/picture/tessellation.h"
+#include "pliant/geometry/validity/jacobian.h"
 #include "pliant/mesh/check_mesh.h"
 #include "support/sample_meshes.h"
 

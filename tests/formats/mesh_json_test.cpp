@@ -1,5 +1,5 @@
 // tests/formats/mesh_json_test.cpp: the mesh document is lossless, strict, and says where it is wrong.
-#include "formats/mesh_json.h"
+#include "formats/document/mesh_json.h"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "formats/read_json.h"
+#include "formats/document/read_json.h"
 #include "pliant/mesh/check_mesh.h"
 #include "support/sample_meshes.h"
 #include "support/triangles.h"

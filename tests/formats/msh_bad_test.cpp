@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 #include <random>
 
-#include "formats/msh.h"
+#include "formats/msh/msh.h"
 #include "pliant/mesh/check_mesh.h"
 #include "support/sample_meshes.h"
 #include "tests/formats/msh_sample.h"

@@ -1,9 +1,9 @@
 // tests/formats/msh_test.cpp: what MSH files of every kind say, as meshes.
-#include "formats/msh.h"
+#include "formats/msh/msh.h"
 
 #include <catch2/catch.hpp>
 
-#include "formats/mesh_json.h"
+#include "formats/document/mesh_json.h"
 #include "pliant/mesh/check_mesh.h"
 #include "support/sample_meshes.h"
 #include "tests/formats/msh_sample.h"

@@ -1,8 +1,8 @@
 // tests/formats/msh_versions_test.cpp: all versions of MSH files, and sections in any place, say the same mesh.
 #include <catch2/catch.hpp>
 
-#include "formats/mesh_json.h"
-#include "formats/msh.h"
+#include "formats/document/mesh_json.h"
+#include "formats/msh/msh.h"
 #include "support/sample_meshes.h"
 #include "tests/formats/msh_sample.h"
 

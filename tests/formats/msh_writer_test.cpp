@@ -1,5 +1,5 @@
 // tests/formats/msh_writer_test.cpp: a mesh that is written as MSH and read again is the same mesh.
-#include "formats/msh_writer.h"
+#include "formats/msh/msh_writer.h"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
@@ -7,8 +7,8 @@
 #include <map>
 #include <set>
 
-#include "formats/mesh_json.h"
-#include "formats/msh.h"
+#include "formats/document/mesh_json.h"
+#include "formats/msh/msh.h"
 #include "pliant/generate/mesh_from_boundary.h"
 #include "pliant/mesh/check_mesh.h"
 #include "support/sample_boundaries.h"

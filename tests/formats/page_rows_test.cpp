@@ -4,10 +4,10 @@
 #include <fstream>
 #include <set>
 
-#include "formats/mesh_json.h"
-#include "formats/msh.h"
-#include "formats/msh_writer.h"
-#include "formats/svg_reader.h"
+#include "formats/document/mesh_json.h"
+#include "formats/msh/msh.h"
+#include "formats/msh/msh_writer.h"
+#include "formats/svg_import/svg_reader.h"
 #include "support/sample_meshes.h"
 
 using namespace pliant;

@@ -1,9 +1,9 @@
 // tests/formats/presence_test.cpp: which names of members count as misspelt.
-#include "formats/presence.h"
+#include "formats/document/presence.h"
 
 #include <catch2/catch.hpp>
 
-#include "formats/mesh_json.h"
+#include "formats/document/mesh_json.h"
 
 using namespace pliant;
 

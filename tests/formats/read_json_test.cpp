@@ -1,5 +1,5 @@
 // tests/formats/read_json_test.cpp: the reader against another parser, and numbers against the C library.
-#include "formats/read_json.h"
+#include "formats/document/read_json.h"
 
 #include <bit>
 #include <catch2/catch.hpp>
@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "formats/write_json.h"
+#include "formats/document/write_json.h"
 #include "support/triangles.h"
 
 using namespace pliant;

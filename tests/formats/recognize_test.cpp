@@ -1,5 +1,5 @@
 // tests/formats/recognize_test.cpp: files of other kinds, and typing errors.
-#include "formats/recognize.h"
+#include "formats/document/recognize.h"
 
 #include <catch2/catch.hpp>
 

@@ -1,5 +1,5 @@
 // tests/formats/report_csv_test.cpp: the table says of each element what the library measured.
-#include "formats/report_csv.h"
+#include "formats/report/report_csv.h"
 
 #include <catch2/catch.hpp>
 #include <cmath>

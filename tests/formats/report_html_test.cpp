@@ -1,5 +1,5 @@
 // tests/formats/report_html_test.cpp: the page is one document that holds the mesh bit for bit and fetches nothing.
-#include "formats/report_html.h"
+#include "formats/report/report_html.h"
 
 #include <algorithm>
 #include <catch2/catch.hpp>

@@ -1,5 +1,5 @@
 // tests/formats/report_json_test.cpp: the report's members are stable and its numbers those of the library.
-#include "formats/report_json.h"
+#include "formats/report/report_json.h"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "formats/report_text.h"
+#include "formats/report/report_text.h"
 #include "support/sample_meshes.h"
 
 using namespace pliant;

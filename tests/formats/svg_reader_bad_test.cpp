@@ -3,7 +3,7 @@
 #include <chrono>
 #include <random>
 
-#include "formats/svg_reader.h"
+#include "formats/svg_import/svg_reader.h"
 #include "pliant/boundary/check_boundary.h"
 
 using namespace pliant;

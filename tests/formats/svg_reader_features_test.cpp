@@ -3,7 +3,7 @@
 #include <random>
 
 #include "formats/svg_import/paint.h"
-#include "formats/svg_reader.h"
+#include "formats/svg_import/svg_reader.h"
 
 using namespace pliant;
 

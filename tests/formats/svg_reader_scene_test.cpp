@@ -1,7 +1,7 @@
 // tests/formats/svg_reader_scene_test.cpp: what of a drawing is filled: styles, use, viewports, units, warnings.
 #include <catch2/catch.hpp>
 
-#include "formats/svg_reader.h"
+#include "formats/svg_import/svg_reader.h"
 
 using namespace pliant;
 

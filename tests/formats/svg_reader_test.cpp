@@ -1,5 +1,5 @@
 // tests/formats/svg_reader_test.cpp: what the boundary of a drawing is: geometry, faces, styles.
-#include "formats/svg_reader.h"
+#include "formats/svg_import/svg_reader.h"
 
 #include <algorithm>
 #include <catch2/catch.hpp>

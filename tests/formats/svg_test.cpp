@@ -1,5 +1,5 @@
 // tests/formats/svg_test.cpp: pictures are well-formed, and draw each edge once, as the curve it is.
-#include "formats/svg.h"
+#include "formats/picture/svg.h"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
@@ -7,8 +7,8 @@
 #include <random>
 #include <regex>
 
-#include "formats/mesh_edges.h"
-#include "formats/svg_path.h"
+#include "formats/picture/mesh_edges.h"
+#include "formats/picture/svg_path.h"
 #include "pliant/geometry/control_net.h"
 #include "pliant/mesh/check_mesh.h"
 #include "support/sample_meshes.h"

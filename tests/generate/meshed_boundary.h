@@ -5,7 +5,7 @@
 
 #include "pliant/boundary/check_boundary.h"
 #include "pliant/generate/mesh_from_boundary.h"
-#include "pliant/geometry/jacobian.h"
+#include "pliant/geometry/validity/jacobian.h"
 #include "pliant/mesh/check_mesh.h"
 
 namespace pliant {

@@ -8,7 +8,7 @@
 
 #include "improve/tangled_meshes.h"
 #include "pliant/mesh/star.h"
-#include "pliant/ops/refit.h"
+#include "pliant/ops/refit/refit.h"
 
 using namespace pliant;
 using namespace pliant::improve_meshes;

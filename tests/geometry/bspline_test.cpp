@@ -1,5 +1,5 @@
 // tests/geometry/bspline_test.cpp: laws of B-splines: knot insertion and removal, evaluation, extraction.
-#include "pliant/geometry/bspline.h"
+#include "pliant/geometry/spline/bspline.h"
 
 #include <algorithm>
 #include <catch2/catch.hpp>

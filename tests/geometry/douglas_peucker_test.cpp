@@ -1,5 +1,5 @@
 // tests/geometry/douglas_peucker_test.cpp: simplified polylines stay within the tolerance, and keep their corners.
-#include "pliant/geometry/douglas_peucker.h"
+#include "pliant/geometry/spline/douglas_peucker.h"
 
 #include <algorithm>
 #include <catch2/catch.hpp>

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "pliant/geometry/control_net.h"
-#include "pliant/geometry/validity.h"
+#include "pliant/geometry/validity/validity.h"
 #include "support/triangles.h"
 
 using namespace pliant;

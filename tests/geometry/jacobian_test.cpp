@@ -1,5 +1,5 @@
 // tests/geometry/jacobian_test.cpp: laws of the net of det J.
-#include "pliant/geometry/jacobian.h"
+#include "pliant/geometry/validity/jacobian.h"
 
 #include <boost/multiprecision/cpp_int.hpp>
 #include <catch2/catch.hpp>

@@ -1,5 +1,5 @@
 // tests/geometry/optimal_placement_test.cpp: best places of one point against places on a grid.
-#include "pliant/geometry/optimal_placement.h"
+#include "pliant/geometry/placement/optimal_placement.h"
 
 #include <algorithm>
 #include <array>
@@ -9,11 +9,11 @@
 #include <random>
 #include <vector>
 
-#include "pliant/geometry/jacobian.h"
 #include "pliant/geometry/linear_triangle.h"
 #include "pliant/geometry/net_layout.h"
-#include "pliant/geometry/shape_bounds.h"
-#include "pliant/geometry/validity.h"
+#include "pliant/geometry/placement/shape_bounds.h"
+#include "pliant/geometry/validity/jacobian.h"
+#include "pliant/geometry/validity/validity.h"
 
 // Placement against a search on a grid of places: the star of one control point, everything else fixed.
 namespace {

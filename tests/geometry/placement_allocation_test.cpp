@@ -2,7 +2,7 @@
 #include <catch2/catch.hpp>
 #include <vector>
 
-#include "pliant/geometry/optimal_placement.h"
+#include "pliant/geometry/placement/optimal_placement.h"
 #include "support/counted_malloc.h"
 #include "support/placement_stars.h"
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <string>
 
-#include "pliant/geometry/optimal_placement.h"
+#include "pliant/geometry/placement/optimal_placement.h"
 
 // Places against optima that long double and another method find. Values are compared at the place itself.
 namespace {

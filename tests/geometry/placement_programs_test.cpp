@@ -5,8 +5,8 @@
 #include <random>
 #include <vector>
 
-#include "pliant/geometry/affine_program.h"
-#include "pliant/geometry/disk_program.h"
+#include "pliant/geometry/placement/affine_program.h"
+#include "pliant/geometry/placement/disk_program.h"
 
 namespace {
 using namespace pliant;

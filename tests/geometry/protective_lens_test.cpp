@@ -1,5 +1,5 @@
 // tests/geometry/protective_lens_test.cpp: lenses contain their curves, and do not depend on direction, place or size.
-#include "pliant/geometry/protective_lens.h"
+#include "pliant/geometry/spline/protective_lens.h"
 
 #include <catch2/catch.hpp>
 #include <cmath>

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <random>
 
-#include "pliant/geometry/bspline.h"
+#include "pliant/geometry/spline/bspline.h"
 
 using namespace pliant;
 

@@ -1,5 +1,5 @@
 // tests/geometry/shape_bounds_test.cpp: the least shape of an element is enclosed, and attained where it says.
-#include "pliant/geometry/shape_bounds.h"
+#include "pliant/geometry/placement/shape_bounds.h"
 
 #include <catch2/catch.hpp>
 #include <cmath>

@@ -1,10 +1,10 @@
 // tests/geometry/swept_validity_test.cpp: safe fractions of motions whose collapse is known.
-#include "pliant/geometry/swept_validity.h"
+#include "pliant/geometry/validity/swept_validity.h"
 
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "pliant/geometry/validity.h"
+#include "pliant/geometry/validity/validity.h"
 #include "support/triangles.h"
 
 using namespace pliant;

@@ -1,5 +1,5 @@
 // tests/geometry/turning_angle_test.cpp: how much polygons turn whose angles are known.
-#include "pliant/geometry/turning_angle.h"
+#include "pliant/geometry/spline/turning_angle.h"
 
 #include <array>
 #include <catch2/catch.hpp>

@@ -6,8 +6,8 @@
 #include <map>
 #include <string>
 
-#include "pliant/geometry/exact_validity.h"
-#include "pliant/geometry/validity.h"
+#include "pliant/geometry/validity/exact_validity.h"
+#include "pliant/geometry/validity/validity.h"
 #include "support/exact_elements.h"
 
 using namespace pliant;

@@ -1,12 +1,12 @@
 // tests/geometry/validity_test.cpp: certificates of validity agree with exact arithmetic.
-#include "pliant/geometry/validity.h"
+#include "pliant/geometry/validity/validity.h"
 
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <map>
 
-#include "pliant/geometry/exact_validity.h"
-#include "pliant/geometry/jacobian.h"
+#include "pliant/geometry/validity/exact_validity.h"
+#include "pliant/geometry/validity/jacobian.h"
 #include "support/exact_jacobian.h"
 #include "support/triangles.h"
 

@@ -1,5 +1,5 @@
 // tests/improve/local_feature_size_test.cpp: half the gap, or the radius.
-#include "pliant/improve/local_feature_size.h"
+#include "pliant/improve/coarsening/local_feature_size.h"
 
 #include <catch2/catch.hpp>
 

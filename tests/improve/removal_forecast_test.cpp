@@ -1,5 +1,5 @@
 // tests/improve/removal_forecast_test.cpp: what coarsening decides beforehand is what the mesh itself would have said.
-#include "pliant/improve/removal_forecast.h"
+#include "pliant/improve/coarsening/removal_forecast.h"
 
 #include <catch2/catch.hpp>
 #include <random>
@@ -7,10 +7,10 @@
 #include "improve/improve_meshes.h"
 #include "pliant/flow/advect.h"
 #include "pliant/improve/coarsen.h"
+#include "pliant/improve/coarsening/removal_chain.h"
+#include "pliant/improve/coarsening/spacing.h"
 #include "pliant/improve/refine.h"
-#include "pliant/improve/removal_chain.h"
-#include "pliant/improve/spacing.h"
-#include "pliant/quality/element_quality.h"
+#include "pliant/quality/element/element_quality.h"
 
 using namespace pliant;
 using namespace pliant::improve_meshes;

@@ -1,15 +1,15 @@
 // tests/improve/share_bends_test.cpp: elements beside bent curves get a more even Jacobian, and stay valid.
-#include "pliant/improve/share_bends.h"
+#include "pliant/improve/smoothing/share_bends.h"
 
 #include <catch2/catch.hpp>
 
 #include "improve/improve_meshes.h"
-#include "pliant/geometry/jacobian.h"
+#include "pliant/geometry/validity/jacobian.h"
 #include "pliant/improve/refine.h"
-#include "pliant/improve/straighten_edges.h"
+#include "pliant/improve/smoothing/straighten_edges.h"
 #include "pliant/mesh/check_mesh.h"
 #include "pliant/ops/level_jacobian.h"
-#include "pliant/quality/element_quality.h"
+#include "pliant/quality/element/element_quality.h"
 
 using namespace pliant;
 using namespace pliant::improve_meshes;

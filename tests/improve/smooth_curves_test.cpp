@@ -6,7 +6,7 @@
 
 #include "improve/improve_meshes.h"
 #include "pliant/improve/refine.h"
-#include "pliant/quality/element_quality.h"
+#include "pliant/quality/element/element_quality.h"
 
 using namespace pliant;
 using namespace pliant::improve_meshes;

@@ -1,14 +1,14 @@
 // tests/improve/smooth_globally_test.cpp: the deformation energy, and meshes that it untangles as a whole.
-#include "pliant/improve/smooth_globally.h"
+#include "pliant/improve/global/smooth_globally.h"
 
 #include <catch2/catch.hpp>
 #include <cmath>
 
 #include "improve/improve_meshes.h"
-#include "pliant/improve/deformation_energy.h"
+#include "pliant/improve/global/deformation_energy.h"
 #include "pliant/improve/refine.h"
 #include "pliant/mesh/star.h"
-#include "pliant/quality/element_quality.h"
+#include "pliant/quality/element/element_quality.h"
 
 using namespace pliant;
 using namespace pliant::improve_meshes;

@@ -1,5 +1,5 @@
 // tests/improve/straighten_edges_test.cpp: inner edges are straight afterwards, or cannot be.
-#include "pliant/improve/straighten_edges.h"
+#include "pliant/improve/smoothing/straighten_edges.h"
 
 #include <catch2/catch.hpp>
 

@@ -1,12 +1,12 @@
 // tests/improve/tame_test.cpp: valid elements under straight triangles that are turned over, by a map that is known.
-#include "pliant/improve/tame.h"
+#include "pliant/improve/refining/tame.h"
 
 #include <catch2/catch.hpp>
 
 #include "improve/improve_meshes.h"
 #include "pliant/geometry/predicates.h"
 #include "pliant/improve/legalize.h"
-#include "pliant/improve/straighten_together.h"
+#include "pliant/improve/smoothing/straighten_together.h"
 
 using namespace pliant;
 using namespace pliant::improve_meshes;

@@ -5,7 +5,7 @@
 #include <iterator>
 #include <string>
 
-#include "formats/msh.h"
+#include "formats/msh/msh.h"
 #include "improve/improve_meshes.h"
 #include "pliant/improve/refine.h"
 

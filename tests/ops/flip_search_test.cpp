@@ -4,9 +4,9 @@
 
 #include "ops/carried_domains.h"
 #include "pliant/generate/mesh_from_boundary.h"
-#include "pliant/geometry/optimal_placement.h"
+#include "pliant/geometry/placement/optimal_placement.h"
 #include "pliant/geometry/predicates.h"
-#include "pliant/geometry/validity.h"
+#include "pliant/geometry/validity/validity.h"
 #include "pliant/mesh/check_mesh.h"
 #include "support/sample_boundaries.h"
 

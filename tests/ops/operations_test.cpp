@@ -4,7 +4,7 @@
 #include <random>
 
 #include "ops/random_operations.h"
-#include "pliant/geometry/jacobian.h"
+#include "pliant/geometry/validity/jacobian.h"
 #include "pliant/mesh/check_mesh.h"
 #include "pliant/mesh/locate.h"
 #include "pliant/mesh/star.h"

@@ -6,12 +6,12 @@
 #include <random>
 
 #include "pliant/geometry/control_net.h"
-#include "pliant/geometry/jacobian.h"
+#include "pliant/geometry/validity/jacobian.h"
 #include "pliant/mesh/locate.h"
 #include "pliant/mesh/star.h"
 #include "pliant/ops/flip_edge.h"
 #include "pliant/ops/insert_point.h"
-#include "pliant/ops/refit.h"
+#include "pliant/ops/refit/refit.h"
 #include "pliant/ops/remove_point.h"
 #include "pliant/ops/smooth_edge.h"
 #include "support/sample_meshes.h"

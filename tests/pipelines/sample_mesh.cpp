@@ -3,7 +3,7 @@
 #include <cstdlib>
 #include <string>
 
-#include "formats/mesh_json.h"
+#include "formats/document/mesh_json.h"
 #include "support/sample_meshes.h"
 
 int main(int argc, char** argv) {

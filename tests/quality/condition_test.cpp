@@ -1,5 +1,5 @@
 // tests/quality/condition_test.cpp: conditions of --fail-if: what they compare, and what is refused.
-#include "pliant/quality/condition.h"
+#include "pliant/quality/element/condition.h"
 
 #include <catch2/catch.hpp>
 #include <stdexcept>

@@ -1,13 +1,13 @@
 // tests/quality/element_measures_test.cpp: measures of many elements at once are those of each one.
-#include "pliant/quality/element_measures.h"
+#include "pliant/quality/element/element_measures.h"
 
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <random>
 
 #include "pliant/geometry/bernstein.h"
-#include "pliant/geometry/bernstein_range.h"
 #include "pliant/geometry/net_layout.h"
+#include "pliant/geometry/validity/bernstein_range.h"
 
 using namespace pliant;
 

@@ -1,5 +1,5 @@
 // tests/quality/element_quality_test.cpp: measures of single elements where closed forms know them.
-#include "pliant/quality/element_quality.h"
+#include "pliant/quality/element/element_quality.h"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
@@ -9,9 +9,9 @@
 #include <random>
 #include <vector>
 
-#include "pliant/geometry/jacobian.h"
 #include "pliant/geometry/linear_triangle.h"
 #include "pliant/geometry/quadrature.h"
+#include "pliant/geometry/validity/jacobian.h"
 #include "pliant/quality/too_curved.h"
 
 using namespace pliant;

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <numeric>
 
-#include "pliant/geometry/jacobian.h"
+#include "pliant/geometry/validity/jacobian.h"
 #include "pliant/mesh/check_mesh.h"
 #include "pliant/quality/tangent_jump.h"
 #include "support/sample_meshes.h"

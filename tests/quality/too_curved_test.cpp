@@ -9,8 +9,8 @@
 
 #include "pliant/geometry/linear_triangle.h"
 #include "pliant/geometry/net_layout.h"
-#include "pliant/geometry/validity.h"
-#include "pliant/quality/element_quality.h"
+#include "pliant/geometry/validity/validity.h"
+#include "pliant/quality/element/element_quality.h"
 
 using namespace pliant;
 

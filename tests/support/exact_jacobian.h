@@ -6,7 +6,7 @@
 
 #include "pliant/geometry/net_layout.h"
 #include "pliant/geometry/point.h"
-#include "pliant/geometry/validity.h"
+#include "pliant/geometry/validity/validity.h"
 
 namespace pliant::samples {
 

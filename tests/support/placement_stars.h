@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "pliant/geometry/net_layout.h"
-#include "pliant/geometry/optimal_placement.h"
-#include "pliant/geometry/validity.h"
+#include "pliant/geometry/placement/optimal_placement.h"
+#include "pliant/geometry/validity/validity.h"
 
 namespace pliant::samples {
 

@@ -7,8 +7,8 @@
 #include <map>
 #include <utility>
 
-#include "pliant/boundary/arrangement_curves.h"
-#include "pliant/boundary/arrangement_input.h"
+#include "pliant/boundary/arrangement/arrangement_curves.h"
+#include "pliant/boundary/arrangement/arrangement_input.h"
 #include "pliant/boundary/boundary_spans.h"
 #include "pliant/boundary/check_boundary.h"
 

@@ -4,8 +4,8 @@
 #include <utility>
 #include <vector>
 
-#include "pliant/geometry/bspline.h"
 #include "pliant/geometry/point.h"
+#include "pliant/geometry/spline/bspline.h"
 
 namespace pliant {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "pliant/boundary/hull_separation.h"
-#include "pliant/geometry/bspline.h"
+#include "pliant/geometry/spline/bspline.h"
 
 namespace pliant {
 namespace {

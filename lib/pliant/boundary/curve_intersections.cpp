@@ -8,7 +8,7 @@
 
 #include "pliant/boundary/curve_points.h"
 #include "pliant/boundary/hull_separation.h"
-#include "pliant/geometry/bspline.h"
+#include "pliant/geometry/spline/bspline.h"
 
 namespace pliant {
 namespace {

@@ -6,7 +6,7 @@
 #include <cassert>
 #include <cmath>
 
-#include "pliant/geometry/bspline.h"
+#include "pliant/geometry/spline/bspline.h"
 
 namespace pliant {
 namespace {

@@ -7,12 +7,12 @@
 #include <vector>
 
 #include "pliant/flow/carried_velocity.h"
-#include "pliant/flow/interpolate_nodes.h"
 #include "pliant/flow/move_elements.h"
 #include "pliant/flow/runge_kutta.h"
 #include "pliant/geometry/describe.h"
-#include "pliant/geometry/swept_validity.h"
-#include "pliant/geometry/validity.h"
+#include "pliant/geometry/validity/swept_validity.h"
+#include "pliant/geometry/validity/validity.h"
+#include "pliant/mesh/interpolate_nodes.h"
 
 namespace pliant {
 namespace {

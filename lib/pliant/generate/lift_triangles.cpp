@@ -6,8 +6,8 @@
 
 #include "pliant/generate/tame_spans.h"
 #include "pliant/geometry/net_layout.h"
-#include "pliant/geometry/optimal_placement.h"
-#include "pliant/geometry/validity.h"
+#include "pliant/geometry/placement/optimal_placement.h"
+#include "pliant/geometry/validity/validity.h"
 
 namespace pliant {
 namespace {

@@ -10,7 +10,7 @@
 #include "pliant/generate/tame_spans.h"
 #include "pliant/generate/wedges.h"
 #include "pliant/geometry/net_layout.h"
-#include "pliant/geometry/turning_angle.h"
+#include "pliant/geometry/spline/turning_angle.h"
 
 namespace pliant {
 namespace {

@@ -5,8 +5,8 @@
 
 #include "pliant/mesh/mesh.h"
 #include "pliant/ops/outcome.h"
-#include "pliant/ops/refit.h"
-#include "pliant/ops/region_integrals.h"
+#include "pliant/ops/refit/refit.h"
+#include "pliant/ops/refit/region_integrals.h"
 
 namespace pliant {
 

@@ -10,7 +10,7 @@
 #include "pliant/boundary/box_pairs.h"
 #include "pliant/boundary/hull_separation.h"
 #include "pliant/generate/wedges.h"
-#include "pliant/geometry/turning_angle.h"
+#include "pliant/geometry/spline/turning_angle.h"
 
 namespace pliant {
 namespace {

@@ -8,8 +8,8 @@
 #include <cstddef>
 #include <vector>
 
-#include "pliant/geometry/bisect_net.h"
 #include "pliant/geometry/control_net.h"
+#include "pliant/geometry/validity/bisect_net.h"
 
 namespace pliant {
 namespace {

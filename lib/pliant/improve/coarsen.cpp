@@ -8,10 +8,10 @@
 #include <string>
 #include <utility>
 
-#include "pliant/improve/independent_set.h"
-#include "pliant/improve/left_by_refine.h"
-#include "pliant/improve/local_feature_size.h"
-#include "pliant/improve/removal_chain.h"
+#include "pliant/improve/coarsening/independent_set.h"
+#include "pliant/improve/coarsening/local_feature_size.h"
+#include "pliant/improve/coarsening/removal_chain.h"
+#include "pliant/improve/refining/left_by_refine.h"
 #include "pliant/mesh/hilbert_order.h"
 
 namespace pliant {

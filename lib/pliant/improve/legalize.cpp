@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "pliant/geometry/predicates.h"
-#include "pliant/improve/straighten_together.h"
+#include "pliant/improve/smoothing/straighten_together.h"
 #include "pliant/ops/flip_edge.h"
 #include "pliant/ops/smooth_edge.h"
 

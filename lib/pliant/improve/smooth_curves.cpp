@@ -9,7 +9,7 @@
 #include <tuple>
 #include <utility>
 
-#include "pliant/improve/smoothing_moves.h"
+#include "pliant/improve/smoothing/smoothing_moves.h"
 #include "pliant/ops/build_triangle.h"
 #include "pliant/ops/insert_point.h"
 

@@ -3,8 +3,8 @@
 #include <optional>
 #include <vector>
 
-#include "pliant/geometry/optimal_placement.h"
-#include "pliant/improve/unmended.h"
+#include "pliant/geometry/placement/optimal_placement.h"
+#include "pliant/improve/smoothing/unmended.h"
 #include "pliant/mesh/mesh.h"
 #include "pliant/mesh/pass_report.h"
 #include "pliant/mesh/progress.h"

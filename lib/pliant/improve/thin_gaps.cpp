@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "pliant/improve/refine_attack.h"
-#include "pliant/improve/sharp_corners.h"
+#include "pliant/improve/refining/refine_attack.h"
+#include "pliant/improve/refining/sharp_corners.h"
 #include "pliant/mesh/star.h"
 
 namespace pliant {

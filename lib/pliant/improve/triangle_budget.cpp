@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "pliant/boundary/boundary_spans.h"
-#include "pliant/geometry/jacobian.h"
-#include "pliant/improve/refine_attack.h"
+#include "pliant/geometry/validity/jacobian.h"
+#include "pliant/improve/refining/refine_attack.h"
 
 namespace pliant {
 namespace {

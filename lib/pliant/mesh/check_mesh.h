@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "pliant/boundary/fault.h"
-#include "pliant/geometry/validity.h"
+#include "pliant/geometry/validity/validity.h"
 #include "pliant/mesh/half_edges.h"
 #include "pliant/mesh/mesh.h"
 

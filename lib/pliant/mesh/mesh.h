@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "pliant/geometry/net_layout.h"
-#include "pliant/mesh/lone_vertices.h"
+#include "pliant/mesh/check/lone_vertices.h"
 #include "pliant/mesh/mesh_data.h"
 
 namespace pliant {

@@ -5,8 +5,8 @@
 #include <array>
 #include <cmath>
 
-#include "pliant/geometry/jacobian.h"
-#include "pliant/ops/solve_dense.h"
+#include "pliant/geometry/dense/solve_dense.h"
+#include "pliant/geometry/validity/jacobian.h"
 
 namespace pliant {
 namespace {

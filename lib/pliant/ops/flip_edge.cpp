@@ -7,7 +7,7 @@
 #include "pliant/geometry/predicates.h"
 #include "pliant/mesh/star.h"
 #include "pliant/ops/build_triangle.h"
-#include "pliant/ops/refit.h"
+#include "pliant/ops/refit/refit.h"
 
 namespace pliant {
 namespace {

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <array>
 
-#include "pliant/geometry/jacobian.h"
+#include "pliant/geometry/validity/jacobian.h"
 #include "pliant/ops/even_jacobian.h"
-#include "pliant/ops/move_and_refit.h"
+#include "pliant/ops/refit/move_and_refit.h"
 
 namespace pliant {
 

@@ -6,9 +6,9 @@
 #include <cmath>
 
 #include "pliant/mesh/star.h"
-#include "pliant/ops/merge.h"
-#include "pliant/ops/recover_parent.h"
-#include "pliant/ops/refit.h"
+#include "pliant/ops/refit/refit.h"
+#include "pliant/ops/removal/merge.h"
+#include "pliant/ops/removal/recover_parent.h"
 
 namespace pliant {
 namespace {

@@ -3,10 +3,10 @@
 #include <span>
 #include <vector>
 
-#include "pliant/geometry/optimal_placement.h"
+#include "pliant/geometry/placement/optimal_placement.h"
 #include "pliant/mesh/mesh.h"
 #include "pliant/ops/outcome.h"
-#include "pliant/ops/refit.h"
+#include "pliant/ops/refit/refit.h"
 
 namespace pliant {
 

@@ -8,8 +8,8 @@
 #include <limits>
 #include <unordered_map>
 
-#include "pliant/geometry/jacobian.h"
 #include "pliant/geometry/net_layout.h"
+#include "pliant/geometry/validity/jacobian.h"
 
 namespace pliant {
 namespace {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "pliant/quality/element_forms.h"
+#include "pliant/quality/element/element_forms.h"
 
 namespace pliant {
 namespace {

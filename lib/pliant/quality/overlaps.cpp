@@ -12,7 +12,7 @@
 #include "pliant/geometry/net_layout.h"
 #include "pliant/quality/crossing_edges.h"
 #include "pliant/quality/edge_curves.h"
-#include "pliant/quality/strips.h"
+#include "pliant/quality/element/strips.h"
 
 namespace pliant {
 namespace {

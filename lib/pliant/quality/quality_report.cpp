@@ -12,7 +12,7 @@
 #include "pliant/mesh/check_mesh.h"
 #include "pliant/mesh/half_edges.h"
 #include "pliant/quality/duplicates.h"
-#include "pliant/quality/element_measures.h"
+#include "pliant/quality/element/element_measures.h"
 #include "pliant/quality/field_figures.h"
 #include "pliant/quality/metric_summary.h"
 #include "pliant/quality/overlaps.h"

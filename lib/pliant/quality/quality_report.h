@@ -7,7 +7,7 @@
 
 #include "pliant/boundary/fault.h"
 #include "pliant/mesh/mesh_data.h"
-#include "pliant/quality/element_figures.h"
+#include "pliant/quality/element/element_figures.h"
 
 namespace pliant {
 

@@ -9,10 +9,10 @@
 #include <utility>
 
 #include "pliant/geometry/bernstein.h"
-#include "pliant/geometry/jacobian.h"
 #include "pliant/geometry/net_layout.h"
 #include "pliant/geometry/quadrature.h"
-#include "pliant/quality/element_measures.h"
+#include "pliant/geometry/validity/jacobian.h"
+#include "pliant/quality/element/element_measures.h"
 #include "pliant/quality/quality_report.h"
 
 namespace pliant {

@@ -7,9 +7,9 @@
 #include <numbers>
 
 #include "pliant/geometry/linear_triangle.h"
-#include "pliant/geometry/turning_angle.h"
-#include "pliant/quality/element_forms.h"
-#include "pliant/quality/element_quality.h"
+#include "pliant/geometry/spline/turning_angle.h"
+#include "pliant/quality/element/element_forms.h"
+#include "pliant/quality/element/element_quality.h"
 
 namespace pliant {
 namespace {

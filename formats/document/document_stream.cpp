@@ -1,0 +1,222 @@
+// formats/document/document_stream.cpp: cuts a stream into documents by their braces, with memory for one.
+#include <sys/mman.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <new>
+#include <system_error>
+#include <utility>
+
+#include "formats/document/mesh_json.h"
+
+namespace pliant {
+namespace {
+
+bool is_space(char c) { return c == ' ' || c == '\n' || c == '\t' || c == '\r'; }
+
+/// Finds where an object ends: at the brace that closes its first one. Fed piece by piece.
+class ObjectEnd {
+ public:
+  /// The position behind the closing brace in [first, last), or null if the object goes on.
+  const char* scan(const char* first, const char* last) {
+    while (first != last) {
+      if (!in_string_ && last - first >= block && is_dull(first)) {
+        first += block;
+        continue;
+      }
+      const char* stop = first + std::min<std::ptrdiff_t>(block, last - first);
+      for (; first != stop; ++first)
+        if (step(*first)) return first + 1;
+    }
+    return nullptr;
+  }
+
+ private:
+  static constexpr std::ptrdiff_t block = 64;
+
+  /// True if nothing in the block matters outside a string. Numbers, the bulk of a document, do not. Without a branch
+  /// so that the compiler can compare many bytes at once.
+  static bool is_dull(const char* p) {
+    unsigned char found = 0;
+    for (int i = 0; i < block; ++i) found |= static_cast<unsigned char>((p[i] == '"') | (p[i] == '{') | (p[i] == '}'));
+    return found == 0;
+  }
+
+  bool step(char c) {
+    if (in_string_) {
+      if (escaped_)
+        escaped_ = false;
+      else if (c == '\\')
+        escaped_ = true;
+      else if (c == '"')
+        in_string_ = false;
+      return false;
+    }
+    if (c == '"') in_string_ = true;
+    if (c == '{') ++depth_;
+    return c == '}' && --depth_ <= 0;
+  }
+
+  long depth_ = 0;
+  bool in_string_ = false, escaped_ = false;
+};
+
+struct Freer {
+  void operator()(char* memory) const { std::free(memory); }
+};
+
+}  // namespace
+
+struct DocumentStream::State {
+  std::FILE* stream;
+  std::string name;
+  std::unique_ptr<char, Freer> buffer;  // [begin, end) is read and not yet given away
+  std::size_t room = 0, begin = 0, end = 0;
+  bool at_end = false;
+  long frame = -1;
+  long line = 1;        // of buffer[begin]
+  long first_line = 1;  // of the document last returned
+  void* mapped = MAP_FAILED;
+  std::size_t mapped_size = 0;
+
+  ~State() {
+    if (mapped != MAP_FAILED) ::munmap(mapped, mapped_size);
+  }
+
+  /// Reads more behind `end`; false at the end of the stream.
+  bool fill() {
+    if (at_end) return false;
+    if (begin > 0 && (end == begin || room == end)) {
+      std::memmove(buffer.get(), buffer.get() + begin, end - begin);
+      end -= begin;
+      begin = 0;
+    }
+    if (room == end) grow();
+    const std::size_t got = read_some(buffer.get() + end, room - end);
+    end += got;
+    at_end = got == 0;
+    return got > 0;
+  }
+
+  /// By realloc, which moves pages rather than bytes and clears none.
+  void grow() {
+    const std::size_t wanted = std::max<std::size_t>(2 * room, 1 << 16);
+    char* larger = static_cast<char*>(std::realloc(buffer.get(), wanted));
+    if (larger == nullptr) throw std::bad_alloc();
+    (void)buffer.release();
+    buffer.reset(larger);
+    room = wanted;
+  }
+
+  /// What there is, without waiting for more: the first frame of a slow series is worked on while the next one is made.
+  /// Streams without a file descriptor are in memory.
+  std::size_t read_some(char* to, std::size_t count) {
+    const int file = fileno(stream);
+    for (;;) {
+      const ssize_t got = file < 0 ? static_cast<ssize_t>(std::fread(to, 1, count, stream)) : ::read(file, to, count);
+      if (got >= 0) return static_cast<std::size_t>(got);
+      if (errno != EINTR) throw std::system_error(errno, std::generic_category(), "reading " + name);
+    }
+  }
+
+  /// The bytes of a regular file that starts like this, unless something has been read; otherwise none.
+  std::string_view map_file(std::string_view start) {
+    struct stat status {};
+    const int file = fileno(stream);
+    std::string first(start.size(), '\0');
+    if (file < 0 || ::fstat(file, &status) != 0 || !S_ISREG(status.st_mode) || ::lseek(file, 0, SEEK_CUR) != 0 ||
+        ::pread(file, first.data(), first.size(), 0) != static_cast<ssize_t>(first.size()) || first != start)
+      return {};
+    mapped_size = static_cast<std::size_t>(status.st_size);
+    mapped = ::mmap(nullptr, mapped_size, PROT_READ, MAP_PRIVATE, file, 0);
+    if (mapped == MAP_FAILED) return {};
+    return {static_cast<const char*>(mapped), mapped_size};
+  }
+
+  void pass(std::size_t count) {
+    const char* first = buffer.get() + begin;
+    line += std::count(first, first + count, '\n');
+    begin += count;
+  }
+
+  /// Passes white space; false at the end of the stream.
+  bool find_start() {
+    for (;;) {
+      const char* first = buffer.get() + begin;
+      const char* last = buffer.get() + end;
+      const char* start = std::find_if_not(first, last, is_space);
+      pass(static_cast<std::size_t>(start - first));
+      if (start != last) return true;
+      if (!fill()) return false;
+    }
+  }
+
+  /// The offset from `begin` behind the object that starts there (or where the stream ends first).
+  std::size_t find_object_end() {
+    ObjectEnd scanner;
+    std::size_t scanned = 0;
+    for (;;) {
+      const char* first = buffer.get() + begin;
+      const char* stop = scanner.scan(first + scanned, buffer.get() + end);
+      if (stop != nullptr) return static_cast<std::size_t>(stop - first);
+      scanned = end - begin;
+      if (!fill()) return scanned;
+    }
+  }
+
+  /// The offset of the next line break at or behind `offset`, or of the end of the stream.
+  std::size_t find_line_end(std::size_t offset) {
+    for (;;) {
+      const char* first = buffer.get() + begin;
+      if (const void* found = std::memchr(first + offset, '\n', end - begin - offset))
+        return static_cast<std::size_t>(static_cast<const char*>(found) - first);
+      offset = end - begin;
+      if (!fill()) return offset;
+    }
+  }
+};
+
+DocumentStream::DocumentStream(std::FILE* stream, std::string name) : state_(std::make_unique<State>()) {
+  state_->stream = stream;
+  state_->name = std::move(name);
+}
+DocumentStream::~DocumentStream() = default;
+
+bool DocumentStream::next(std::string_view& document) {
+  State& s = *state_;
+  if (!s.find_start()) return false;
+  ++s.frame;
+  s.first_line = s.line;
+  // What follows an object on its line, or is no object at all, goes to the reader, which refuses it.
+  const std::size_t object = s.buffer.get()[s.begin] == '{' ? s.find_object_end() : 0;
+  const std::size_t size = s.find_line_end(object);
+  document = {s.buffer.get() + s.begin, size};
+  s.pass(size);
+  return true;
+}
+
+std::string_view DocumentStream::all_if(std::string_view start) {
+  State& s = *state_;
+  if (const std::string_view bytes = s.map_file(start); !bytes.empty()) return bytes;
+  while (s.end - s.begin < start.size() && s.fill()) continue;
+  if (std::string_view(s.buffer.get() + s.begin, s.end - s.begin).substr(0, start.size()) != start) return {};
+  while (s.fill()) continue;
+  return {s.buffer.get() + s.begin, s.end - s.begin};
+}
+
+std::string_view DocumentStream::head_unless_object(std::size_t most) {
+  State& s = *state_;
+  if (!s.find_start() || s.buffer.get()[s.begin] == '{') return {};
+  while (s.end - s.begin < most && s.fill()) continue;
+  return std::string_view(s.buffer.get() + s.begin, s.end - s.begin).substr(0, most);
+}
+
+long DocumentStream::frame() const { return state_->frame; }
+long DocumentStream::first_line() const { return state_->first_line; }
+const std::string& DocumentStream::name() const { return state_->name; }
+
+}  // namespace pliant

@@ -1,0 +1,122 @@
+// formats/msh/msh_file.h: what an MSH file says, before it becomes a mesh.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <map>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "formats/msh/msh.h"
+#include "formats/msh/msh_cursor.h"
+#include "pliant/geometry/point.h"
+#include "pliant/mesh/ids.h"
+
+namespace pliant {
+
+inline constexpr std::size_t msh_point_type = 15;
+inline constexpr int msh_type_count = 141;  ///< one more than the last element type
+
+/// One of Gmsh's element types.
+struct MshElementType {
+  enum Family : char { unknown, point, line, triangle, quadrangle, tetrahedron, hexahedron, prism, pyramid, other };
+  Family family = unknown;
+  int nodes = 0;  ///< 0: not known, or different for each element
+  int order = 0;  ///< of a line or triangle with all its nodes; otherwise 0: the type is not read
+};
+
+/// The type of that number; `unknown` for a number that Gmsh does not use.
+const MshElementType& msh_element_type(std::int64_t type);
+/// "12 quadrangles of 4 nodes (type 3)".
+std::string describe_left_out(std::int64_t type, std::uint64_t count);
+/// Place in NetLayout of each node of a triangle of this order. Gmsh: corners, edges 12, 23, 31, then the inner nodes
+/// as a triangle of order - 3.
+std::vector<int> msh_net_order(int order);
+
+/// Finds nodes by their tags.
+class MshNodeTags {
+ public:
+  /// The next node has this tag.
+  void add(std::uint64_t tag) { tags_.add(tag); }
+  void add(std::uint64_t tag, std::size_t count) { tags_.add(tag, count); }
+  /// All are there, or all of this section. The tag that two nodes have, if any.
+  const std::uint64_t* prepare();
+  std::size_t size() const { return tags_.size(); }
+  const TagRuns& all() const { return tags_; }
+  std::uint64_t highest() const;
+  std::uint64_t tag_of(PointId node) const { return tags_.tag_of(static_cast<std::size_t>(node)); }
+  /// The node with this tag, or none.
+  PointId find(std::uint64_t tag) const {
+    const std::uint64_t place = tag - lowest_;
+    if (is_one_run_) return place < tags_.size() ? static_cast<PointId>(place) : none;
+    if (!table_.empty()) return place < table_.size() ? table_[static_cast<std::size_t>(place)] : none;
+    return search(tag);
+  }
+
+ private:
+  struct Range {
+    std::uint64_t tag, last;  ///< of the first node and of the last
+    std::size_t first;        ///< node
+  };
+  PointId search(std::uint64_t tag) const;
+  TagRuns tags_;
+  std::uint64_t lowest_ = 0, twice_ = 0;
+  bool is_one_run_ = false;
+  std::vector<PointId> table_;  ///< by tag - lowest_, where the tags are dense
+  std::vector<Range> ranges_;   ///< sorted, where they are sparse
+};
+
+/// Triangles that stand together in the file: of one order, on one surface.
+struct MshTriangles {
+  int order;
+  int entity;
+  int physical;  ///< 0: none
+  std::size_t count;
+};
+
+/// A line element by its ends.
+struct MshLine {
+  PointId from, to;
+  int entity, physical;
+};
+
+/// A geometrical entity: its first physical group (0: none), and whether there are more.
+struct MshEntity {
+  int physical = 0;
+  bool has_more = false;
+  int parent = 0;  ///< the entity that it is a partition of; 0: none
+};
+
+struct MshFile {
+  std::vector<Point> nodes;
+  std::vector<double> z;  ///< of each node; empty where all are `plane`
+  double plane = 0;
+  MshNodeTags tags;
+  std::vector<MshTriangles> blocks;
+  std::vector<PointId> triangle_nodes;  ///< of all blocks, in Gmsh's order
+  TagRuns triangle_tags;
+  std::vector<MshLine> lines;
+  std::map<std::pair<int, int>, std::string> names;      ///< of physical groups, by dimension and tag
+  std::map<std::pair<int, int>, MshEntity> entities;     ///< by dimension and tag
+  std::array<std::uint64_t, msh_type_count> left_out{};  ///< how many elements of each type
+  std::vector<std::string> skipped;                      ///< names of sections that are not read
+};
+
+/// No coordinate may be larger, so that no control point overflows.
+inline constexpr double msh_largest = 1e300;
+
+/// Reads all sections.   Throws InputError
+MshFile read_msh_file(std::string_view bytes);
+
+// The bulk sections, one reader each (msh_nodes.cpp, msh_elements.cpp): the cursor stands behind "$Nodes" and its line
+// end, and is left where "$EndNodes" must follow.
+void read_nodes_1(MshCursor& in, MshFile& file);
+void read_nodes_2(MshCursor& in, MshFile& file, bool parametric);
+void read_nodes_4(MshCursor& in, MshFile& file, bool is_4_0);
+void read_elements_1(MshCursor& in, MshFile& file);
+void read_elements_2(MshCursor& in, MshFile& file);
+void read_elements_4(MshCursor& in, MshFile& file, bool is_4_0);
+
+}  // namespace pliant

@@ -1,0 +1,52 @@
+// formats/picture/gltf_buffer.h: the binary part of a glTF file: vertices, indices, colours and animation keys.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "formats/picture/coloring.h"
+
+namespace tinygltf {
+class Model;
+}
+
+namespace pliant {
+
+/// Arrays are appended in any order, each an accessor whose index is returned; arrays of one kind share a buffer view.
+class GltfBuffer {
+ public:
+  /// Quantized positions are in 16 bits, as parts of a box; others are single precision.
+  explicit GltfBuffer(bool quantize);
+
+  int add_positions(const std::vector<Point>& points, const Box& box);
+  /// Indices of that many vertices, in 16 bits where these suffice.
+  int add_indices(const std::vector<std::uint32_t>& indices, std::size_t vertices);
+  /// Keeps a place for that many colours, which come later, all in one order.
+  int reserve_colors(std::size_t count);
+  /// The next colour, in linear light.
+  void append_color(const Rgb& linear);
+  int add_keys(const std::vector<float>& keys);      ///< times, ascending
+  int add_scales(const std::vector<float>& scales);  ///< each for all three axes
+
+  /// Gives the model its buffer, the views that are used, and the accessors. Once.
+  void move_to(tinygltf::Model& model);
+
+ private:
+  enum View : std::size_t { positions_view, indices_view, colors_view, animation_view, view_count };
+  struct Accessor {
+    View view;
+    std::size_t offset, count;
+    int component, type;
+    bool normalized = false;
+    std::vector<double> low{}, high{};
+  };
+  int add_accessor(Accessor accessor);
+
+  bool quantize_;
+  std::array<std::vector<unsigned char>, view_count> bytes_;
+  std::vector<Accessor> accessors_;
+  std::size_t colors_ = 0;
+};
+
+}  // namespace pliant

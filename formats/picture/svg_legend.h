@@ -1,0 +1,27 @@
+// formats/picture/svg_legend.h: the column beside a picture that says what its colours mean.
+#pragma once
+#include <string>
+
+#include "formats/picture/coloring.h"
+
+namespace pliant {
+
+inline constexpr double min_legend_height = 200;  // pixels
+
+struct Legend {
+  const MeshData& mesh;
+  ColorBy::Kind kind;
+  const Colormap& map;
+  const std::string& title;
+  ValueRange range;
+  std::size_t invalid, degenerate;
+};
+
+/// Width of the column in pixels: names of faces need more than a bar.
+double legend_width(const MeshData& mesh, ColorBy::Kind kind);
+/// Appends the column with its left edge at `left`, for a picture of that height.
+void write_legend(const Legend& legend, double left, double height, std::string& out);
+/// Appends the stops of a gradient.
+void gradient_stops(const Colormap& map, std::string& out);
+
+}  // namespace pliant

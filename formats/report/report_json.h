@@ -1,0 +1,13 @@
+// formats/report/report_json.h: the quality report as one line of JSON (formats/report.md).
+#pragma once
+#include <string>
+
+#include "pliant/quality/quality_report.h"
+
+namespace pliant {
+
+/// Appends the report, one line with its newline. Numbers are in the shortest form that reads back to the same double;
+/// values that do not exist are null. The members and their order are stable.
+void write_report(const QualityReport& report, std::string& out);
+
+}  // namespace pliant

@@ -1,0 +1,52 @@
+// formats/svg_import/areas/bezier_fit.h: the steps of an outline as Bézier pieces of a degree, within a tolerance.
+#pragma once
+#include <array>
+#include <vector>
+
+#include "pliant/geometry/point.h"
+
+namespace pliant::svg {
+
+inline constexpr int max_fit_degree = 3;
+
+/// A Bézier curve of degree 1 to 3.
+struct Piece {
+  int degree = 1;
+  bool fitted = false;  ///< not exactly what the drawing says
+  std::array<Point, 4> points{};
+
+  const Point& start() const { return points[0]; }
+  Point& end() { return points[static_cast<std::size_t>(degree)]; }
+  const Point& end() const { return points[static_cast<std::size_t>(degree)]; }
+};
+
+/// Makes pieces of what an outline consists of, each piece starting bit for bit where the one before it ends.
+class BezierFit {
+ public:
+  /// Requires    degree 2 or 3, tolerance > 0 (length)
+  BezierFit(int degree, double tolerance) : degree_(degree), tolerance_(tolerance) {}
+
+  /// A quadratic whose control points are on a line is that line: what runs back on itself has no interior.
+  void add_quadratic(const Point& p, const Point& q, const Point& r, std::vector<Piece>& out);
+  /// Exact at degree 3, unless its derivative vanishes. Otherwise quadratics that have its tangents at their ends; the
+  /// number of pieces grows as tolerance^(-1/4).
+  void add_cubic(const std::array<Point, 4>& c, std::vector<Piece>& out);
+  /// centre + u cos(t) + v sin(t) for t from `from` to `from + sweep`: pieces with the tangents of the arc.
+  void add_arc(const Point& start, const Point& center, const Vector& u, const Vector& v, double from, double sweep,
+               const Point& end, std::vector<Piece>& out);
+
+  /// A bound of the distance of any of the pieces so far from what it stands for, and of that from the piece.
+  double error() const { return error_; }
+
+ private:
+  void fit(const std::array<Point, 4>& c, int depth, std::vector<Piece>& out);
+
+  int degree_;
+  double tolerance_;
+  double error_ = 0;
+};
+
+/// The two parts of a cubic at parameter t.
+std::array<std::array<Point, 4>, 2> split(const std::array<Point, 4>& c, double t);
+
+}  // namespace pliant::svg

@@ -1,0 +1,312 @@
+// formats/svg_import/areas/loops.cpp: the closed loops that bound a filled shape, as B-splines.
+#include "formats/svg_import/areas/loops.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "pliant/boundary/fault.h"
+
+namespace pliant::svg {
+namespace {
+
+constexpr double same_place = 1e-12;   // of the drawing's size: what sums of decimals leave between two ends
+constexpr double exact_join = 1e-13;   // of the drawing's size, where the drawing is to be kept exactly
+constexpr double smooth_angle = 1e-3;  // radians; more is a corner, however short its legs
+constexpr double most_stretch = 16;    // of a knot span over its piece's length, before the chain of ratios starts anew
+constexpr double cusp_angle = 1e-7;    // radians
+
+Piece elevated(const Piece& piece, int degree) {
+  Piece out = piece;
+  for (; out.degree < degree; ++out.degree) {
+    const Piece low = out;
+    const auto p = static_cast<std::size_t>(low.degree);
+    out.points[p + 1] = low.points[p];
+    for (std::size_t i = p; i > 0; --i) {
+      const double share = static_cast<double>(i) / static_cast<double>(p + 1);
+      out.points[i] = share * low.points[i - 1] + (1 - share) * low.points[i];
+    }
+  }
+  return out;
+}
+
+double polygon_length(const Piece& piece) {
+  double sum = 0;
+  for (int i = 0; i < piece.degree; ++i)
+    sum += distance(piece.points[static_cast<std::size_t>(i)], piece.points[static_cast<std::size_t>(i) + 1]);
+  return sum;
+}
+
+enum class Join { corner, smooth, cusp };
+
+/// Makes the B-splines of one loop of pieces, all of one degree p.
+class LoopBuilder {
+ public:
+  LoopBuilder(std::vector<Piece> pieces, const LoopOptions& options, LoopCounts& counts)
+      : pieces_(std::move(pieces)), options_(options), counts_(counts), p_(pieces_.front().degree) {}
+
+  Loop build() {
+    counts_.pieces += static_cast<long>(pieces_.size());
+    for (const Piece& piece : pieces_) counts_.fitted += piece.fitted ? 1 : 0;
+    if (p_ == 1) return polygon();
+    classify();
+    // Start in a cusp, or else in a corner.
+    const auto starts_with = [&](Join kind) { return std::find(joins_.begin(), joins_.end(), kind); };
+    auto start = starts_with(Join::cusp);
+    if (start == joins_.end()) start = starts_with(Join::corner);
+    if (start == joins_.end()) start = joins_.begin();
+    std::rotate(pieces_.begin(), pieces_.begin() + (start - joins_.begin()), pieces_.end());
+    std::rotate(joins_.begin(), start, joins_.end());
+    choose_knots();
+    if (auto closed = closed_curve()) return std::move(*closed);
+    return open_curves();
+  }
+
+ private:
+  std::size_t count() const { return pieces_.size(); }
+  const Point& behind(std::size_t i) const { return pieces_[i].points[1]; }                                 // the start
+  const Point& before(std::size_t i) const { return pieces_[i].points[static_cast<std::size_t>(p_) - 1]; }  // the end
+  std::size_t previous(std::size_t i) const { return (i + count() - 1) % count(); }
+
+  /// A polygon: every corner is a simple knot, where a curve of degree 1 may turn.
+  Loop polygon() {
+    counts_.corners += static_cast<long>(count());
+    std::vector<double> knots{0};
+    std::vector<Point> points;
+    for (const Piece& piece : pieces_) {
+      knots.push_back(later(knots.back(), polygon_length(piece)));
+      points.push_back(piece.end());
+    }
+    return {{BSpline(1, true, std::move(knots), std::move(points))}, {false}};
+  }
+
+  static double later(double knot, double by) { return std::max(knot + by, std::nextafter(knot, HUGE_VAL)); }
+
+  /// How far the join moves when it is left to the control points beside it, with knot spans a and b.
+  double displacement(std::size_t i, double a, double b) const {
+    const std::size_t j = previous(i);
+    const Vector in = pieces_[i].start() - before(j), out = behind(i) - pieces_[i].start();
+    return length(a * out - b * in) / (a + b);
+  }
+
+  double allowed(std::size_t i) const {
+    return pieces_[i].fitted || pieces_[previous(i)].fitted ? options_.tolerance / 2 : exact_join * options_.size;
+  }
+
+  void classify() {
+    joins_.assign(count(), Join::corner);
+    for (std::size_t i = 0; i < count(); ++i) {
+      const Vector in = pieces_[i].start() - before(previous(i)), out = behind(i) - pieces_[i].start();
+      const double a = length(in), b = length(out);
+      if (!(a > 0 && b > 0)) continue;
+      const double sine = std::abs(cross(in, out)) / a / b;
+      if (dot(in, out) < 0)
+        joins_[i] = sine < cusp_angle ? Join::cusp : Join::corner;
+      else if (sine < smooth_angle && displacement(i, a, b) <= allowed(i))
+        joins_[i] = Join::smooth;
+    }
+  }
+
+  /// Knot spans in the ratio of the legs at smooth joins; elsewhere, and where the ratios have led too far away from
+  /// the lengths of the pieces, these.
+  void choose_knots() {
+    knots_.assign(1, 0);
+    double span = 0;
+    for (std::size_t i = 0; i < count(); ++i) {
+      const double natural = polygon_length(pieces_[i]);
+      if (i > 0 && joins_[i] == Join::smooth) {
+        const double a = distance(pieces_[i].start(), before(i - 1)), b = distance(pieces_[i].start(), behind(i));
+        span *= b / a;
+        if (!(span <= most_stretch * natural && natural <= most_stretch * span)) {
+          span = natural;
+          joins_[i] = Join::corner;
+        }
+      } else {
+        span = natural;
+      }
+      knots_.push_back(later(knots_.back(), span));
+      if (i > 0 && joins_[i] == Join::smooth) check_join(i, knots_[i] - knots_[i - 1], knots_[i + 1] - knots_[i]);
+    }
+  }
+
+  /// The knots are rounded; a join that they do not keep in its place is no smooth one.
+  bool check_join(std::size_t i, double a, double b) {
+    const double moved = displacement(i, a, b);
+    if (moved <= allowed(i))
+      moved_ = std::max(moved_, moved);
+    else
+      joins_[i] = Join::corner;
+    return joins_[i] == Join::smooth;
+  }
+
+  std::optional<Loop> closed_curve() {
+    if (count() < 2) return std::nullopt;
+    if (std::any_of(joins_.begin(), joins_.end(), [](Join j) { return j != Join::smooth; })) return std::nullopt;
+    if (!check_join(0, knots_[count()] - knots_[count() - 1], knots_[1])) return std::nullopt;
+    counts_.smooth += static_cast<long>(count());
+    counts_.join_error = std::max(counts_.join_error, moved_);
+    // Every break p - 1 times; the control points are the inner ones of the pieces. Basis function i starts at knot i
+    // and so belongs to the point behind it in this order.
+    std::vector<double> knots;
+    std::vector<Point> points;
+    for (std::size_t i = 0; i < count(); ++i) {
+      knots.insert(knots.end(), static_cast<std::size_t>(p_) - 1, knots_[i]);
+      points.insert(points.end(), pieces_[i].points.begin() + 1, pieces_[i].points.begin() + p_);
+    }
+    knots.push_back(knots_.back());
+    std::rotate(points.begin(), points.begin() + 1, points.end());
+    return Loop{{BSpline(p_, true, std::move(knots), std::move(points))}, {false}};
+  }
+
+  Loop open_curves() {
+    Loop loop;
+    counts_.join_error = std::max(counts_.join_error, moved_);
+    counts_.corners += joins_[0] == Join::smooth ? 0 : 1;
+    for (std::size_t first = 0; first < count();) {
+      std::size_t last = first + 1;
+      while (last < count() && joins_[last] != Join::cusp) ++last;
+      const auto clamp = static_cast<std::size_t>(p_) + 1;
+      std::vector<double> knots(clamp, knots_[first]);
+      std::vector<Point> points{pieces_[first].start()};
+      for (std::size_t i = first; i < last; ++i) {
+        if (i > first) {
+          const bool is_smooth = joins_[i] == Join::smooth;
+          knots.insert(knots.end(), static_cast<std::size_t>(is_smooth ? p_ - 1 : p_), knots_[i]);
+          if (!is_smooth) points.push_back(pieces_[i].start());
+          ++(is_smooth ? counts_.smooth : counts_.corners);
+        }
+        points.insert(points.end(), pieces_[i].points.begin() + 1, pieces_[i].points.begin() + p_);
+      }
+      points.push_back(pieces_[last - 1].end());
+      knots.insert(knots.end(), clamp, knots_[last]);
+      loop.curves.emplace_back(p_, false, std::move(knots), std::move(points));
+      loop.cusps.push_back(joins_[first] == Join::cusp);
+      first = last;
+    }
+    return loop;
+  }
+
+  std::vector<Piece> pieces_;
+  const LoopOptions& options_;
+  LoopCounts& counts_;
+  int p_;
+  std::vector<Join> joins_;  ///< at the start of each piece
+  std::vector<double> knots_;
+  double moved_ = 0;
+};
+
+double extent_of(const Piece& piece) {
+  Box box;
+  for (int i = 0; i <= piece.degree; ++i) box.extend(piece.points[static_cast<std::size_t>(i)]);
+  return box.size();
+}
+
+/// Leaves out pieces without length and lets every piece start where the one before it ends; false: nothing is left.
+bool close_up(std::vector<Piece>& pieces, double least) {
+  std::vector<Piece> kept;
+  for (const Piece& piece : pieces) {
+    if (extent_of(piece) <= least) continue;
+    kept.push_back(piece);
+  }
+  for (std::size_t i = 0; i < kept.size(); ++i) kept[(i + 1) % kept.size()].points[0] = kept[i].end();
+  pieces = std::move(kept);
+  return !pieces.empty();
+}
+
+/// Is there anything in it? Not if all control points are on a line.
+bool has_area(const std::vector<Piece>& pieces, double least) {
+  const Point origin = pieces.front().start();
+  Vector far;
+  for (const Piece& piece : pieces)
+    for (int i = 0; i <= piece.degree; ++i) {
+      const Vector v = piece.points[static_cast<std::size_t>(i)] - origin;
+      if (squared_length(v) > squared_length(far)) far = v;
+    }
+  const double reach = length(far);
+  for (const Piece& piece : pieces)
+    for (int i = 0; i <= piece.degree; ++i)
+      if (std::abs(cross(far, piece.points[static_cast<std::size_t>(i)] - origin)) > least * reach) return true;
+  return false;
+}
+
+/// A loop of one piece gets two, so that a closed curve has spans enough.
+void halve(std::vector<Piece>& pieces) {
+  const Piece whole = elevated(pieces.front(), 3);
+  const auto halves = split(whole.points, 0.5);
+  Piece first = whole, second = whole;
+  first.points = halves[0];
+  second.points = halves[1];
+  pieces = {first, second};
+}
+
+}  // namespace
+
+std::vector<Loop> make_loops(const Outline& outline, const LoopOptions& options, LoopCounts& counts) {
+  BezierFit fit(options.degree, options.tolerance / 2);
+  std::vector<Loop> loops;
+  std::vector<Piece> pieces;
+  Point start, at;
+  const double least = same_place * options.size;
+  const auto finish = [&] {
+    std::vector<Piece> done;
+    std::swap(done, pieces);
+    if (done.empty()) return;
+    if (!(at == start)) {
+      Piece line;
+      line.points[0] = at;
+      line.points[1] = start;
+      done.push_back(line);
+    }
+    if (!close_up(done, least) || !has_area(done, least)) {
+      ++counts.no_area;
+      return;
+    }
+    if (done.size() == 1 && options.degree >= 3) halve(done);
+    int degree = 1;
+    for (const Piece& piece : done) degree = std::max(degree, piece.degree);
+    for (Piece& piece : done) piece = elevated(piece, degree);
+    loops.push_back(LoopBuilder(std::move(done), options, counts).build());
+  };
+  std::size_t next = 0;
+  for (const Step step : outline.steps) {
+    const Point* p = outline.points.data() + next;
+    next += static_cast<std::size_t>(point_count(step));
+    switch (step) {
+      case Step::move:
+        finish();
+        start = at = p[0];
+        break;
+      case Step::close:
+        finish();
+        at = start;
+        break;
+      case Step::line: {
+        Piece line;
+        line.points[0] = at;
+        line.points[1] = at = p[0];
+        pieces.push_back(line);
+        break;
+      }
+      case Step::quadratic:
+        fit.add_quadratic(at, p[0], p[1], pieces);
+        at = p[1];
+        break;
+      case Step::cubic:
+        fit.add_cubic({at, p[0], p[1], p[2]}, pieces);
+        at = p[2];
+        break;
+      case Step::arc:
+        fit.add_arc(at, p[0], p[1], p[2], p[3].x, p[3].y, p[4], pieces);
+        at = p[4];
+        break;
+    }
+    if (pieces.size() + static_cast<std::size_t>(counts.pieces) > max_pieces)
+      throw InputError("", "the curves need more than " + std::to_string(max_pieces) +
+                               " pieces; a greater --tolerance, or --degree 3, takes fewer");
+  }
+  finish();
+  counts.fit_error = std::max(counts.fit_error, fit.error());
+  return loops;
+}
+
+}  // namespace pliant::svg

@@ -1,0 +1,38 @@
+// formats/svg_import/areas/loops.h: the closed loops that bound a filled shape, as B-splines.
+#pragma once
+#include <vector>
+
+#include "formats/svg_import/areas/bezier_fit.h"
+#include "formats/svg_import/areas/outline.h"
+#include "pliant/geometry/spline/bspline.h"
+
+namespace pliant::svg {
+
+inline constexpr std::size_t max_pieces = 5'000'000;  ///< of all loops together
+
+struct LoopOptions {
+  int degree = 2;
+  double tolerance = 1e-6;  ///< length; half of it for the pieces, half for joining them smoothly
+  double size = 1;          ///< of the drawing
+};
+
+/// One closed curve, or open ones that chain to a loop: each starts bit for bit where the one before it ends.
+struct Loop {
+  std::vector<BSpline> curves;
+  std::vector<bool> cusps;  ///< for each curve: it starts in a cusp
+};
+
+struct LoopCounts {
+  long pieces = 0;        ///< Bézier pieces
+  long fitted = 0;        ///< of them, those that are not exact
+  long smooth = 0;        ///< joins that became simple knots (degree 3: double ones)
+  long corners = 0;       ///< joins that did not
+  long no_area = 0;       ///< loops without an interior, left out
+  double fit_error = 0;   ///< bound of the distance of the pieces from the drawing (length)
+  double join_error = 0;  ///< and of what joining them smoothly moves
+};
+
+/// The loops of an outline as a fill closes them: open subpaths by a line.
+std::vector<Loop> make_loops(const Outline& outline, const LoopOptions& options, LoopCounts& counts);
+
+}  // namespace pliant::svg

@@ -1,0 +1,264 @@
+// formats/svg_import/svg_reader.cpp: from the filled shapes to faces, curves and vertices.
+#include "formats/svg_import/svg_reader.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "formats/svg_import/areas/loops.h"
+#include "formats/svg_import/areas/nesting.h"
+#include "formats/svg_import/element_tree.h"
+#include "formats/svg_import/scene.h"
+#include "pliant/boundary/arrangement.h"
+#include "pliant/boundary/boundary_spans.h"
+#include "pliant/boundary/check_boundary.h"
+
+namespace pliant {
+namespace {
+
+using namespace svg;
+
+constexpr double most_snap = 1e-5;  // of the drawing's size: what runs together is not farther apart
+
+constexpr const char* not_apart =
+    "shapes cross, touch or lie over each other; import-svg --planar makes disjoint faces of what is seen of them";
+
+/// The diagonal of the box of all control points and of points on the arcs.
+double size_of(const std::vector<Shape>& shapes) {
+  Box box;
+  for (const Shape& shape : shapes) {
+    const Box one = box_of(shape.outline);
+    if (!(one.low.x <= one.high.x)) continue;
+    box.extend(one.low);
+    box.extend(one.high);
+  }
+  return box.size();
+}
+
+/// Curves are where they are within the tolerance of the import, so what is closer runs together. Where snapping as
+/// coarse as that spoils details, a finer one tells them apart.
+Arrangement arrange_drawing(const std::vector<FilledFace>& faces, double tolerance) {
+  constexpr double finer = 1.0 / 16;
+  ArrangeOptions options;
+  const double finest = options.tolerance;
+  options.tolerance = options.coarsest = std::clamp(tolerance, finest, most_snap);
+  options.sliver = std::max(options.sliver, 4 * options.tolerance);
+  options.tip = std::max(options.tip, options.tolerance / 4);
+  Arrangement first;
+  for (bool is_first = true;; is_first = false) {
+    Arrangement found = arrange(faces, options);
+    if (found.faults.empty()) return found;
+    if (is_first) first = std::move(found);
+    if (options.tolerance <= finest) return first;
+    options.tolerance = options.coarsest = std::max(finer * options.tolerance, finest);
+  }
+}
+
+/// All loops of all shapes, and the curves that they become.
+class Drawing {
+ public:
+  Drawing(const std::vector<Shape>& shapes, const SvgReadOptions& options, SvgImport& import)
+      : shapes_(shapes), import_(import), tolerance_(options.tolerance) {
+    LoopOptions loop_options;
+    loop_options.degree = options.degree;
+    loop_options.size = import.size;
+    loop_options.tolerance = options.tolerance * import.size;
+    LoopCounts counts;
+    all_.reserve(shapes.size());
+    for (const Shape& shape : shapes) all_.push_back(make_loops(shape.outline, loop_options, counts));
+    for (std::size_t s = 0; s < shapes.size(); ++s)
+      for (const Loop& loop : all_[s]) loops_.push_back({static_cast<int>(s), &loop});
+    import.no_area = counts.no_area;
+    import.pieces = counts.pieces;
+    import.fitted = counts.fitted;
+    import.smooth = counts.smooth;
+    import.corners = counts.corners;
+    import.error = counts.fit_error + counts.join_error;
+  }
+
+  bool empty() const { return loops_.empty(); }
+
+  /// The complex of faces that the loops separate.
+  /// Throws      InputError for shapes that meet
+  void make_boundary() {
+    require_apart();
+    std::vector<bool> even_odd;
+    for (const Shape& shape : shapes_) even_odd.push_back(shape.even_odd);
+    const Nesting nesting = nest(loops_, even_odd);
+    if (!nesting.overlaps.empty()) refuse_overlaps(nesting.overlaps);
+    std::vector<int> faces(shapes_.size(), outside);
+    for (std::size_t s = 0; s < shapes_.size(); ++s) {
+      const auto bounds = [&](const Sides& sides) {
+        return sides.inner != sides.outer && (sides.inner == static_cast<int>(s) || sides.outer == static_cast<int>(s));
+      };
+      bool is_bounded = false;
+      for (; next_loop_ < loops_.size() && loops_[next_loop_].shape == static_cast<int>(s); ++next_loop_)
+        is_bounded = is_bounded || bounds(nesting.sides[next_loop_]);
+      if (!is_bounded) continue;
+      faces[s] = static_cast<int>(import_.boundary.faces.size());
+      import_.boundary.faces.push_back({shapes_[s].name, {}});
+    }
+    for (std::size_t l = 0; l < loops_.size(); ++l) {
+      const Sides& sides = nesting.sides[l];
+      if (sides.inner == sides.outer) {
+        ++import_.no_border;
+        continue;
+      }
+      const auto face = [&](int shape) { return shape == nothing ? outside : faces[static_cast<std::size_t>(shape)]; };
+      const int inner = face(sides.inner), outer = face(sides.outer);
+      const bool ccw = sides.is_counterclockwise;
+      add_curves(l, ccw ? inner : outer, ccw ? outer : inner, import_.boundary);
+    }
+  }
+
+  /// The same for shapes that meet: disjoint faces of what is seen of each.
+  /// Throws      InputError where there is no arrangement
+  void arrange_boundary() {
+    std::vector<FilledFace> faces;
+    faces.reserve(shapes_.size());
+    for (std::size_t s = 0; s < shapes_.size(); ++s) {
+      FilledFace face;
+      face.name = shapes_[s].name;
+      face.rule = shapes_[s].even_odd ? FillRule::evenodd : FillRule::nonzero;
+      for (const Loop& loop : all_[s]) face.curves.insert(face.curves.end(), loop.curves.begin(), loop.curves.end());
+      if (!face.curves.empty()) faces.push_back(std::move(face));
+    }
+    Arrangement arrangement = arrange_drawing(faces, tolerance_);
+    if (!arrangement.faults.empty()) {
+      std::string text = "the shapes cannot be arranged";
+      for (const Fault& fault : arrangement.faults) text += "\n" + fault.text;
+      throw InputError("", text);
+    }
+    import_.boundary = std::move(arrangement.boundary);
+    import_.intersections = arrangement.intersections;
+    import_.snapped = arrangement.tolerance * import_.size;
+    import_.slivers = arrangement.slivers;
+    import_.sliver_area = arrangement.sliver_area;
+    if (import_.slivers > 0)
+      import_.warnings.push_back(std::to_string(import_.slivers) + (import_.slivers == 1 ? " sliver" : " slivers") +
+                                 " between shapes that nearly meet closed, of an area of " +
+                                 describe_number(import_.sliver_area) + " at most");
+    import_.covered = static_cast<long>(faces.size() - import_.boundary.faces.size());
+  }
+
+ private:
+  const Shape& shape_of(std::size_t loop) const { return shapes_[static_cast<std::size_t>(loops_[loop].shape)]; }
+
+  void add_curves(std::size_t l, int left, int right, BoundaryComplex& boundary) const {
+    const Loop& loop = *loops_[l].loop;
+    const int first = static_cast<int>(boundary.vertices.size());
+    const int count = static_cast<int>(loop.curves.size());
+    for (int k = 0; k < count; ++k) {
+      Curve curve;
+      curve.name = shape_of(l).name;
+      curve.spline = loop.curves[static_cast<std::size_t>(k)];
+      curve.left = left;
+      curve.right = right;
+      if (!curve.spline.closed()) {
+        curve.start = first + k;
+        curve.end = first + (k + 1) % count;
+        if (loop.cusps[static_cast<std::size_t>(k)]) boundary.cusps.push_back(curve.start);
+        boundary.vertices.push_back(curve.spline.points().front());
+      }
+      boundary.curves.push_back(std::move(curve));
+    }
+  }
+
+  /// Holds every loop by itself, a face to its left, to what a boundary must be.
+  void require_apart() const {
+    BoundaryComplex alone;
+    for (std::size_t l = 0; l < loops_.size(); ++l) {
+      double area = 0;
+      for (const BSpline& curve : loops_[l].loop->curves) area += curve.area();
+      add_curves(l, area > 0 ? 0 : outside, area > 0 ? outside : 0, alone);
+    }
+    for (std::size_t l = 0, c = 0; l < loops_.size(); ++l)  // faults name the curves
+      for (std::size_t k = 0; k < loops_[l].loop->curves.size(); ++k)
+        alone.curves[c++].name += ", line " + std::to_string(shape_of(l).line);
+    alone.faces.push_back({"all", {}});
+    std::vector<Fault> faults = check_boundary(alone);
+    if (faults.empty()) faults = check_boundary_geometry(alone);
+    if (faults.empty()) return;
+    std::string text = not_apart;
+    for (const Fault& fault : faults)  // others, of vertices at one place and of areas, only follow from these
+      if (fault.place.rfind("/curves", 0) == 0) text += "\n" + fault.text;
+    throw InputError("", text);
+  }
+
+  [[noreturn]] void refuse_overlaps(const std::vector<Overlap>& overlaps) const {
+    std::string text = not_apart;
+    for (const Overlap& overlap : overlaps) {
+      const Shape& over = shapes_[static_cast<std::size_t>(overlap.over)];
+      const Shape& under = shapes_[static_cast<std::size_t>(overlap.under)];
+      text += "\n'" + over.name + "' (line " + std::to_string(over.line) + ") lies over '" + under.name + "' (line " +
+              std::to_string(under.line) + "), at " + describe_point(overlap.place);
+    }
+    throw InputError("", text);
+  }
+
+  const std::vector<Shape>& shapes_;
+  SvgImport& import_;
+  double tolerance_;  // of the drawing's size
+  std::vector<std::vector<Loop>> all_;
+  std::vector<ShapeLoop> loops_;
+  std::size_t next_loop_ = 0;
+};
+
+}  // namespace
+
+namespace {
+
+long count_pieces(const std::vector<Shape>& shapes, int degree, double tolerance, double size) {
+  LoopOptions options;
+  options.degree = degree;
+  options.size = size;
+  options.tolerance = tolerance * size;
+  LoopCounts counts;
+  for (const Shape& shape : shapes) make_loops(shape.outline, options, counts);
+  return counts.pieces;
+}
+
+/// Many small elements are often the price of a tolerance that nobody needs.
+void note_cost(const std::vector<Shape>& shapes, const SvgReadOptions& options, SvgImport& import) {
+  if (import.fitted == 0) return;
+  constexpr double looser = 100;
+  const int other = options.degree == 2 ? 3 : 2;
+  const double tolerance = std::min(1.0, looser * options.tolerance);
+  std::array<char, 256> text{};
+  std::snprintf(text.data(), text.size(),
+                "%ld of %ld pieces are fitted to within %.3g of the size; --degree %d would take %ld pieces in all, "
+                "--tolerance %.3g %ld",
+                import.fitted, import.pieces, options.tolerance, other,
+                count_pieces(shapes, other, options.tolerance, import.size), tolerance,
+                count_pieces(shapes, options.degree, tolerance, import.size));
+  import.notes.emplace_back(text.data());
+}
+
+}  // namespace
+
+SvgImport read_svg(std::string_view bytes, const SvgReadOptions& options) {
+  SvgImport import;
+  const Scene scene = read_scene(ElementTree(bytes));
+  import.warnings = scene.warnings;
+  import.shapes = static_cast<long>(scene.shapes.size());
+  import.unfilled = scene.unfilled;
+  import.hidden = scene.hidden;
+  import.size = size_of(scene.shapes);
+  constexpr double least_size = 1e-60;  // squares of what is a part of it do not vanish
+  if (import.size > 0 && import.size < least_size) throw InputError("", "the drawing is smaller than 1e-60");
+  Drawing drawing(scene.shapes, options, import);
+  if (drawing.empty())
+    throw InputError("", "nothing is filled: " + std::to_string(import.shapes) + " filled shape" +
+                             (import.shapes == 1 ? "" : "s") + " without an interior, " +
+                             std::to_string(import.unfilled) + " without a fill, " + std::to_string(import.hidden) +
+                             " hidden");
+  if (options.compares) note_cost(scene.shapes, options, import);
+  if (options.planar)
+    drawing.arrange_boundary();
+  else
+    drawing.make_boundary();
+  return import;
+}
+
+}  // namespace pliant

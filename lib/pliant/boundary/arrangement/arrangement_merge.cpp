@@ -1,0 +1,181 @@
+// lib/pliant/boundary/arrangement/arrangement_merge.cpp: compares arcs with the same ends, then chains of edges, by
+// samples.
+#include "pliant/boundary/arrangement/arrangement_merge.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+
+#include "pliant/boundary/curve_points.h"
+
+namespace pliant {
+namespace {
+
+std::size_t index(int i) { return static_cast<std::size_t>(i); }
+
+double polygon_length(std::span<const Point> polygon) {
+  double sum = 0;
+  for (std::size_t i = 1; i < polygon.size(); ++i) sum += distance(polygon[i - 1], polygon[i]);
+  return sum;
+}
+
+class ArcMerger {
+ public:
+  ArcMerger(const ArcNetwork& network, std::span<const SidedCurve> curves, const ArcTolerances& tolerances,
+            ArrangementGraph& graph)
+      : network_(network), curves_(curves), tolerances_(tolerances), graph_(graph) {}
+
+  /// Joins arcs with the same ends that run together.
+  void merge_arcs() {
+    const std::vector<Arc>& arcs = network_.arcs;
+    graph_.edge_of.assign(arcs.size(), -1);
+    std::vector<int> order;
+    for (std::size_t i = 0; i < arcs.size(); ++i)
+      if (arcs[i].from != arcs[i].to) order.push_back(static_cast<int>(i));
+    const auto ends = [&](int i) {
+      const Arc& a = arcs[index(i)];
+      return std::array{std::min(a.from, a.to), std::max(a.from, a.to)};
+    };
+    std::sort(order.begin(), order.end(), [&](int i, int j) { return ends(i) != ends(j) ? ends(i) < ends(j) : i < j; });
+    std::vector<int> kept(arcs.size(), -1);
+    for (std::size_t first = 0, last; first < order.size(); first = last) {
+      for (last = first; last < order.size() && ends(order[last]) == ends(order[first]);) ++last;
+      std::vector<int> apart;
+      for (std::size_t k = first; k < last; ++k) {
+        const auto same =
+            std::find_if(apart.begin(), apart.end(), [&](int other) { return together(other, order[k]); });
+        kept[index(order[k])] = same == apart.end() ? order[k] : *same;
+        if (same == apart.end()) apart.push_back(order[k]);
+      }
+    }
+    for (std::size_t i = 0; i < arcs.size(); ++i) {
+      if (kept[i] < 0) continue;
+      const bool is_new = kept[i] == static_cast<int>(i);
+      if (is_new) {
+        graph_.edge_of[i] = static_cast<int>(graph_.edges.size());
+        graph_.edges.push_back({static_cast<int>(i), {}});
+      }
+      GraphEdge& edge = graph_.edges[index(graph_.edge_of[index(kept[i])])];
+      add_winding(edge.jump, curves_[index(arcs[i].curve)].jump, arcs[i].from == arcs[index(edge.arc)].from ? 1 : -1);
+    }
+    drop_empty();
+  }
+
+  /// Joins chains of edges, between nodes where more than two end, that run beside each other.
+  void merge_paths() {
+    std::vector<std::array<int, 2>> ends(network_.nodes.size(), {-1, -1});  // half-edges from a node of two
+    std::vector<int> degree(network_.nodes.size(), 0);
+    const int halves = 2 * static_cast<int>(graph_.edges.size());
+    for (int half = 0; half < halves; ++half) {
+      int& d = degree[index(origin(half))];
+      if (d < 2) ends[index(origin(half))][index(d)] = half;
+      ++d;
+    }
+    std::map<std::array<int, 2>, std::vector<Path>> between;
+    for (int start = 0; start < halves; ++start) {
+      if (degree[index(origin(start))] == 2) continue;
+      Path path{start};
+      while (degree[index(origin(twin(path.back())))] == 2) {
+        const auto& both = ends[index(origin(twin(path.back())))];
+        path.push_back(both[0] == twin(path.back()) ? both[1] : both[0]);
+      }
+      const int from = origin(start), to = origin(twin(path.back()));
+      if (from < to) between[{from, to}].push_back(std::move(path));
+    }
+    for (auto& [nodes, paths] : between)
+      for (std::size_t j = 1; j < paths.size(); ++j)
+        for (std::size_t i = 0; i < j; ++i)
+          if (!paths[i].empty() && !paths[j].empty() && merge(paths[i], paths[j])) break;
+    drop_empty();
+  }
+
+ private:
+  /// Half-edges from one such node to the next.
+  using Path = std::vector<int>;
+
+  // Half-edge 2e runs along edge e, 2e + 1 against it.
+  const Arc& arc(int half) const { return network_.arcs[index(graph_.edges[index(half / 2)].arc)]; }
+  int origin(int half) const { return half % 2 == 0 ? arc(half).from : arc(half).to; }
+  static int twin(int half) { return half ^ 1; }
+
+  /// What changes nothing on either side separates nothing.
+  void drop_empty() {
+    std::vector<GraphEdge> edges;
+    for (GraphEdge& edge : graph_.edges) {
+      graph_.edge_of[index(edge.arc)] = edge.jump.empty() ? -1 : static_cast<int>(edges.size());
+      if (!edge.jump.empty()) edges.push_back(std::move(edge));
+    }
+    graph_.edges = std::move(edges);
+  }
+
+  bool together(int first, int second) {
+    const auto a = network_.polygon(network_.arcs[index(first)]), b = network_.polygon(network_.arcs[index(second)]);
+    const int samples = static_cast<int>(a.size() + b.size()) + 1;
+    double most = 0;
+    for (int i = 0; i < samples; ++i) {
+      const double s = (i + 0.5) / samples;
+      most = std::max(
+          {most, nearest_on_curve(b, bezier_point(a, s)).distance, nearest_on_curve(a, bezier_point(b, s)).distance});
+      if (most > tolerances_.sliver) return false;
+    }
+    // Ends were snapped; so far they may have moved the pieces.
+    if (most > 8 * tolerances_.touch) count_sliver(most * polygon_length(a));
+    return true;
+  }
+
+  void count_sliver(double area) {
+    ++graph_.slivers;
+    graph_.sliver_area += area;
+  }
+
+  bool merge(const Path& kept, Path& other) {
+    if (kept.size() + other.size() <= 2 || !runs_beside(kept, other) || !runs_beside(other, kept)) return false;
+    const Winding jump = graph_.edges[index(other[0] / 2)].jump;
+    const int sign = other[0] % 2 == 0 ? 1 : -1;
+    for (const int half : kept) add_winding(graph_.edges[index(half / 2)].jump, jump, half % 2 == 0 ? sign : -sign);
+    for (const int half : other) graph_.edges[index(half / 2)].jump.clear();
+    double length = 0;
+    for (const int half : other) length += polygon_length(network_.polygon(arc(half)));
+    count_sliver(length * tolerances_.sliver);
+    other.clear();
+    return true;
+  }
+
+  bool runs_beside(const Path& path, const Path& other) const {
+    std::vector<Box> boxes(other.size());
+    for (std::size_t i = 0; i < other.size(); ++i) {
+      for (const Point& p : network_.polygon(arc(other[i]))) boxes[i].extend(p);
+      boxes[i].low -= Vector{tolerances_.sliver, tolerances_.sliver};
+      boxes[i].high += Vector{tolerances_.sliver, tolerances_.sliver};
+    }
+    for (const int half : path) {
+      const auto polygon = network_.polygon(arc(half));
+      const int samples = 2 * static_cast<int>(polygon.size()) + 1;
+      for (int s = 0; s < samples; ++s) {
+        const Point p = bezier_point(polygon, (s + 0.5) / samples);
+        bool near = false;
+        for (std::size_t i = 0; i < other.size() && !near; ++i)
+          near = boxes[i].contains(p) &&
+                 nearest_on_curve(network_.polygon(arc(other[i])), p).distance <= tolerances_.sliver;
+        if (!near) return false;
+      }
+    }
+    return true;
+  }
+
+  const ArcNetwork& network_;
+  std::span<const SidedCurve> curves_;
+  const ArcTolerances& tolerances_;
+  ArrangementGraph& graph_;
+};
+
+}  // namespace
+
+void merge_arcs(const ArcNetwork& network, std::span<const SidedCurve> curves, const ArcTolerances& tolerances,
+                ArrangementGraph& graph) {
+  ArcMerger merger(network, curves, tolerances, graph);
+  merger.merge_arcs();
+  merger.merge_paths();
+}
+
+}  // namespace pliant

@@ -1,0 +1,180 @@
+// lib/pliant/geometry/placement/affine_program.cpp: dual simplex in three variables.
+#include "pliant/geometry/placement/affine_program.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+namespace pliant {
+namespace {
+
+using Row = std::array<double, 3>;
+
+constexpr double tolerance = 1e-13;
+constexpr int most_steps = 200;
+
+Row cross_product(const Row& u, const Row& v) {
+  return {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
+}
+double product(const Row& u, const Row& v) { return u[0] * v[0] + u[1] * v[1] + u[2] * v[2]; }
+
+/// The constraints row . (x, y, value) <= limit: the functions', then the four sides of the square.
+class Constraints {
+ public:
+  Constraints(std::span<const AffineFunction> functions, double reach) : functions_(functions), reach_(reach) {}
+  int functions() const { return static_cast<int>(functions_.size()); }
+  Row row(int i) const {
+    const int side = i - functions();
+    if (side >= 0) return side < 2 ? Row{side == 0 ? 1.0 : -1.0, 0, 0} : Row{0, side == 2 ? 1.0 : -1.0, 0};
+    const AffineFunction& f = functions_[static_cast<std::size_t>(i)];
+    return {-f.a, -f.b, 1};
+  }
+  double limit(int i) const { return i < functions() ? functions_[static_cast<std::size_t>(i)].c : reach_; }
+
+  /// The constraint that z breaks most, or -1.
+  int most_violated(const Row& z) const {
+    int worst = -1;
+    double most = tolerance * std::max(1.0, std::fabs(z[2]));
+    const Point q{z[0], z[1]};
+    for (int i = 0; i < functions(); ++i)
+      if (const double excess = z[2] - functions_[static_cast<std::size_t>(i)](q); excess > most) {
+        most = excess;
+        worst = i;
+      }
+    const std::array<double, 4> sides{z[0], -z[0], z[1], -z[1]};
+    for (int side = 0; side < 4; ++side)
+      if (const double excess = sides[static_cast<std::size_t>(side)] - reach_;
+          excess > std::max(most, tolerance * reach_)) {
+        most = excess;
+        worst = functions() + side;
+      }
+    return worst;
+  }
+
+ private:
+  std::span<const AffineFunction> functions_;
+  double reach_;
+};
+
+/// Three constraints that hold with equality, with the inverse of their matrix.
+struct Basis {
+  std::array<int, 3> members;
+  std::array<Row, 3> columns;  ///< of the inverse
+
+  void invert(const Constraints& constraints) {
+    const Row a = constraints.row(members[0]), b = constraints.row(members[1]), c = constraints.row(members[2]);
+    columns = {cross_product(b, c), cross_product(c, a), cross_product(a, b)};
+    const double determinant = product(a, columns[0]);
+    for (Row& column : columns)
+      for (double& entry : column) entry /= determinant;
+  }
+  Row vertex(const Constraints& constraints) const {
+    Row z{};
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t j = 0; j < 3; ++j) z[j] += constraints.limit(members[i]) * columns[i][j];
+    // Once more with what is left, so that the three hold to rounding where they are nearly parallel.
+    Row left{};
+    for (std::size_t i = 0; i < 3; ++i)
+      left[i] = constraints.limit(members[i]) - product(constraints.row(members[i]), z);
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t j = 0; j < 3; ++j) z[j] += left[i] * columns[i][j];
+    return z;
+  }
+  /// How `row` is combined from the members' rows.
+  Row shares_of(const Row& row) const {
+    return {product(row, columns[0]), product(row, columns[1]), product(row, columns[2])};
+  }
+};
+
+/// The place nearest to `near` where all functions are at least `level`: half-planes one by one. A place that is known
+/// to be there bounds the answer, and is the answer when rounding leaves nothing.
+Point nearest_at_level(std::span<const AffineFunction> functions, double level, const Point& near, const Point& known) {
+  Point best = near;
+  for (std::size_t i = 0; i < functions.size(); ++i) {
+    const AffineFunction& f = functions[i];
+    if (f(best) >= level) continue;
+    const double square = f.a * f.a + f.b * f.b;
+    if (square == 0) return known;
+    // On the line f = level: foot + s direction; the half-planes before this one leave an interval of s.
+    const Point foot = near + (level - f(near)) / square * Point{f.a, f.b};
+    const Vector direction{-f.b, f.a};
+    double low = -std::numeric_limits<double>::infinity(), high = -low;
+    for (std::size_t j = 0; j < i; ++j) {
+      const AffineFunction& g = functions[j];
+      const double slope = g.a * direction.x + g.b * direction.y, gap = level - g(foot);
+      if (slope > 0)
+        low = std::max(low, gap / slope);
+      else if (slope < 0)
+        high = std::min(high, gap / slope);
+      else if (gap > 0)
+        return known;
+    }
+    if (low > high) return known;
+    best = foot + std::clamp(0.0, low, high) * direction;
+  }
+  return squared_length(best - near) < squared_length(known - near) ? best : known;
+}
+
+}  // namespace
+
+AffineOptimum maximise_least(std::span<const AffineFunction> functions, double reach, const Point& near) {
+  assert(!functions.empty());
+  const Constraints constraints(functions, reach);
+  const auto least = std::min_element(functions.begin(), functions.end(),
+                                      [](const AffineFunction& f, const AffineFunction& g) { return f.c < g.c; });
+  const int first_side = constraints.functions();
+  Basis basis{{static_cast<int>(least - functions.begin()), first_side + (least->a > 0 ? 0 : 1),
+               first_side + (least->b > 0 ? 2 : 3)},
+              {}};
+  Row z{}, shares{};
+  for (int steps = 0;; ++steps) {
+    basis.invert(constraints);
+    z = basis.vertex(constraints);
+    shares = basis.shares_of({0, 0, 1});
+    const int entering = constraints.most_violated(z);
+    if (entering < 0 || steps == most_steps) break;
+    const Row mixture = basis.shares_of(constraints.row(entering));
+    std::size_t leaving = 3;
+    double ratio = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (mixture[i] <= tolerance) continue;
+      const double candidate = std::max(shares[i], 0.0) / mixture[i];
+      const bool tie = leaving < 3 && std::fabs(candidate - ratio) <= tolerance;
+      if (tie ? mixture[i] > mixture[leaving] : candidate < ratio) {
+        leaving = i;
+        ratio = candidate;
+      }
+    }
+    if (leaving == 3) break;  // only rounding gets here: every set of functions has an optimum in the square
+    basis.members[leaving] = entering;
+  }
+
+  AffineOptimum result{{z[0], z[1]}, z[2], basis.members, shares, true};
+  bool unique = true;
+  for (std::size_t i = 0; i < 3; ++i) {
+    unique = unique && shares[i] > 1e-9;
+    if (basis.members[i] < first_side) continue;
+    result.active[i] = -1;
+    if (shares[i] > 1e-9) result.bounded = false;
+  }
+  // Whatever rounding did, the value is one that the place has.
+  const auto value_at = [functions](const Point& q) {
+    double value = std::numeric_limits<double>::infinity();
+    for (const AffineFunction& f : functions) value = std::min(value, f(q));
+    return value;
+  };
+  result.value = value_at(result.place);
+  if (!unique) {
+    const double slack = 1e-11 * std::max(1.0, std::fabs(result.value));
+    const Point nearest = nearest_at_level(functions, result.value - slack, near, result.place);
+    if (const double value = value_at(nearest); value >= result.value - 2 * slack) {
+      result.place = nearest;
+      result.value = value;
+    }
+  }
+  return result;
+}
+
+}  // namespace pliant

@@ -1,0 +1,36 @@
+// lib/pliant/geometry/validity/jacobian_terms.h: det J as a sum of cross products (private to this layer).
+#pragma once
+#include <array>
+#include <span>
+#include <vector>
+
+#include "pliant/geometry/net_layout.h"
+#include "pliant/geometry/point.h"
+
+namespace pliant {
+
+inline constexpr int max_partials = net_size(max_degree - 1);
+inline constexpr int max_jacobian_size = net_size(2 * (max_degree - 1));
+
+/// One product of the sum: coefficient `target` of det J gets weight * cross(along_2[i], along_3[j]), where the
+/// partials are plain differences of control points, in the order of NetLayout::of(degree - 1).
+struct JacobianTerm {
+  int i, j, target;
+  double weight;           ///< p^2 (multinomial of i) (multinomial of j) / (multinomial of target), rounded
+  double integer_product;  ///< (multinomial of i) (multinomial of j), exact
+};
+
+/// What is known of one degree before any control point is.
+struct JacobianTerms {
+  int degree = 0;                              ///< of the element
+  std::vector<std::array<int, 3>> partials;    ///< for each partial: the control points m + e1, m + e2, m + e3
+  std::vector<JacobianTerm> terms;             ///< sorted by target
+  int most_terms = 0;                          ///< of one target
+  static const JacobianTerms& of(int degree);  ///< 1 <= degree <= max_degree; thread-safe
+};
+
+/// The differences of control points: along_2[m] = net[m + e2] - net[m + e1], along_3[m] = net[m + e3] - net[m + e1].
+void partial_differences(const JacobianTerms& terms, std::span<const Point> net, std::span<Vector> along_2,
+                         std::span<Vector> along_3);
+
+}  // namespace pliant

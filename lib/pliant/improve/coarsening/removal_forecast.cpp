@@ -1,0 +1,146 @@
+// lib/pliant/improve/coarsening/removal_forecast.cpp: a chain of removals on straight triangles, and what refine would
+// say to it.
+#include "pliant/improve/coarsening/removal_forecast.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "pliant/geometry/linear_triangle.h"
+#include "pliant/improve/refine.h"
+#include "pliant/improve/refining/refine_attack.h"
+
+namespace pliant {
+namespace {
+
+constexpr double slack = 1e-9;  // relative: rounding must not make the forecast stricter than what it foretells
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+}  // namespace
+
+const char* attack_reason(const Mesh& mesh, TriangleId t, const QualityGoals& goals) {
+  return refine_reason(mesh, t, goals);
+}
+
+Culprit find_culprit(const Mesh& mesh, const std::array<PointId, 3>& corners, const std::array<Point, 3>& places,
+                     const std::vector<bool>& slated) {
+  const auto squared = [&](int e) { return squared_length(places[at((e + 1) % 3)] - places[at(e)]); };
+  const std::array<double, 3> sides{squared(0), squared(1), squared(2)};
+  int shortest = 0;  // of equal ones the side that starts at the lowest number, wherever the triangle starts
+  for (int e = 1; e < 3; ++e)
+    if (sides[at(e)] < sides[at(shortest)] ||
+        (sides[at(e)] == sides[at(shortest)] && corners[at(e)] < corners[at(shortest)]))
+      shortest = e;
+  Culprit culprit{none, sides[at(shortest)], corners};
+  std::sort(culprit.triangle.begin(), culprit.triangle.end());
+  for (const int c : {shortest + 2, shortest + 1, shortest}) {
+    const PointId w = corners[at(c % 3)];
+    if (slated[at(w)] && mesh.is_vertex(w)) culprit.vertex = w;
+  }
+  return culprit;
+}
+
+RemovalForecast::RemovalForecast(Mesh& mesh, const QualityGoals& goals, const CurveTolerance& tolerance,
+                                 const std::vector<bool>& slated)
+    : mesh_(mesh),
+      goals_(goals),
+      tolerance_(tolerance),
+      slated_(slated),
+      patch_(mesh),
+      least_sine_(std::sin(goals.min_angle * std::numbers::pi / 180) * (1 - slack)) {
+  is_poor_asked_ = goals.min_angle > 0 && !goals.keeps_thin;  // what crosses a thin gap may be poor
+  bounds_area_ = goals.max_area < HUGE_VAL ||
+                 std::any_of(goals.face_area.begin(), goals.face_area.end(), [](double a) { return a < HUGE_VAL; });
+}
+
+/// The least angle is opposite to the shortest side: its sine is twice the area over the product of the two others.
+bool RemovalForecast::is_surely_poor(const Point& a, const Point& b, const Point& c) const {
+  const double twice_area = cross(b - a, c - a);
+  if (!(twice_area > 0)) return true;
+  const double ab = squared_length(b - a), bc = squared_length(c - b), ca = squared_length(a - c);
+  const double least = std::min({ab, bc, ca});
+  const double product = least == ab ? bc * ca : least == bc ? ab * ca : ab * bc;
+  if (!(product > 1e-280 && product < 1e280))  // sides near the limits of doubles: the slow way
+    return radius_edge_ratio(a, b, c) > (1 + slack) / (2 * least_sine_);
+  return twice_area * twice_area < least_sine_ * least_sine_ * product;
+}
+
+/// The area of an element differs from that of its logical triangle by less than its sides times what they are off
+/// their chords, which no flip makes larger; a curve that loses a knot may.
+bool RemovalForecast::is_surely_large(FaceId face, const LogicalPatch::Corners& corners, const Point& a, const Point& b,
+                                      const Point& c) const {
+  if (bounds_area_ && foreseen_.curves.empty()) {
+    const double around = distance(a, b) + distance(b, c) + distance(c, a);
+    const double least = cross(b - a, c - a) / 2 - 1.5 * patch_.bend() * around;
+    if (least > (1 + slack) * goals_.area_bound(face)) return true;
+  }
+  if (!goals_.size && goals_.size_field == none) return false;
+  double wanted = goals_.length_at((1.0 / 3) * (a + b + c), mesh_.time);
+  if (goals_.size_field != none) {
+    double sum = 0;
+    for (const PointId v : corners) sum += goals_.length_by_field_at(mesh_, v, face);
+    wanted = std::min(wanted, sum / 3);
+  }
+  const double longest = std::max({distance(a, b), distance(b, c), distance(c, a)});
+  return longest > (1 + slack) * size_slack * wanted;
+}
+
+/// Removes w from the patch. `refusal` is what its curve says, if it is on one: that does not depend on what the mesh
+/// around has become in the chain.
+LogicalPatch::Outcome RemovalForecast::remove(PointId w, Refusal& refusal) {
+  refusal = Refusal::not_removable;
+  const LogicalPatch::Outcome outcome = patch_.remove_inner(w);
+  if (outcome != LogicalPatch::Outcome::on_curve) return outcome;
+  refusal = foresee_curve_removal(mesh_, w, tolerance_, foreseen_).refusal;
+  if (refusal != Refusal::done) return LogicalPatch::Outcome::stuck;
+  refusal = Refusal::not_removable;
+  return patch_.remove_on_curve(w, foreseen_.moved);
+}
+
+/// Why refine would attack a piece that is new or has moved, and had not before.
+const char* RemovalForecast::reason_of(const LogicalPatch::Piece& piece) const {
+  const bool has_moved = patch_.has_moved(piece);
+  if (!piece.is_alive || !(piece.is_new || has_moved)) return nullptr;
+  const Point &a = patch_.place(piece.corners[0]), &b = patch_.place(piece.corners[1]),
+              &c = patch_.place(piece.corners[2]);
+  const char* reason = is_surely_large(piece.face, piece.corners, a, b, c) ? "too large"
+                       : is_poor_asked_ && is_surely_poor(a, b, c)         ? "too poor"
+                                                                           : nullptr;
+  if (reason == nullptr || piece.is_new) return reason;
+  return attack_reason(mesh_, piece.triangle, goals_) ? nullptr : reason;
+}
+
+RemovalRefusal RemovalForecast::of(PointId v) {
+  patch_.start(bounds_area_);
+  foreseen_.clear();
+  Transaction trial(mesh_);  // of the curves; rolled back at the end
+  RemovalRefusal last;
+  int removed = 0;
+  for (PointId w = v;;) {
+    Refusal refusal = Refusal::done;
+    const LogicalPatch::Outcome outcome = remove(w, refusal);
+    if (outcome == LogicalPatch::Outcome::unknown) return {};
+    if (outcome == LogicalPatch::Outcome::stuck) {
+      if (w == v) return {describe(refusal)};
+      if (refusal == Refusal::edge_exists) return {};
+      return last;
+    }
+    last = {};
+    Culprit first;
+    for (const LogicalPatch::Piece& piece : patch_.pieces()) {
+      const char* reason = reason_of(piece);
+      if (reason == nullptr) continue;
+      last = {reason, true};
+      const std::array<Point, 3> places{patch_.place(piece.corners[0]), patch_.place(piece.corners[1]),
+                                        patch_.place(piece.corners[2])};
+      const Culprit culprit = find_culprit(mesh_, piece.corners, places, slated_);
+      if (culprit.vertex == none) return last;
+      first = std::min(first, culprit);
+    }
+    if (last.reason == nullptr || ++removed == most_chained) return last;
+    w = first.vertex;
+  }
+}
+
+}  // namespace pliant

@@ -1,0 +1,109 @@
+// lib/pliant/improve/coarsening/spacing.cpp: the sizing function of coarsening at the vertices (paper §5.3.3).
+#include "pliant/improve/coarsening/spacing.h"
+
+#include <algorithm>
+#include <queue>
+#include <utility>
+
+#include "pliant/geometry/spline/douglas_peucker.h"
+
+namespace pliant {
+namespace {
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+/// Which vertices of a chain have knots that the control polygon needs.
+std::vector<bool> needed_knots(const BSpline& spline, const CurveChain& chain, double tolerance) {
+  std::vector<bool> needed(chain.vertices.size(), false);
+  const std::vector<bool> keep = douglas_peucker(spline.points().to_vector(), spline.closed(), tolerance);
+  const int p = spline.degree();
+  for (int i = 0; i < static_cast<int>(keep.size()); ++i) {
+    if (!keep[at(i)]) continue;
+    for (int k = i + 1; k <= i + p; ++k) {  // the inner knots of the support of control point i
+      double knot = spline.knot(k);
+      if (spline.closed() && knot >= spline.last_parameter()) knot -= spline.period();
+      const auto found = std::lower_bound(chain.breaks.begin(), chain.breaks.end(), knot);
+      if (found != chain.breaks.end() && *found == knot)
+        needed[static_cast<std::size_t>(found - chain.breaks.begin())] = true;
+    }
+  }
+  return needed;
+}
+
+/// Calls `visit` with the ends of each stretch of a chain between two kept vertices.
+template <class Visit>
+void visit_stretches(const CurveChain& chain, const std::vector<VertexRole>& roles, const Visit& visit) {
+  PointId first = none, last = none;
+  for (const PointId v : chain.vertices) {
+    if (roles[at(v)] != VertexRole::kept) continue;
+    if (last != none) visit(last, v);
+    if (first == none) first = v;
+    last = v;
+  }
+  if (chain.closed && first != last) visit(last, first);
+}
+
+}  // namespace
+
+std::vector<VertexRole> vertex_roles(const Mesh& mesh, const std::vector<CurveChain>& chains,
+                                     double polygon_tolerance) {
+  std::vector<VertexRole> roles(at(mesh.point_slots()), VertexRole::inner);
+  for (std::size_t c = 0; c < chains.size(); ++c) {
+    const CurveChain& chain = chains[c];
+    std::vector<bool> needed(chain.vertices.size(), false);
+    if (polygon_tolerance > 0) needed = needed_knots(mesh.spline(static_cast<CurveId>(c)), chain, polygon_tolerance);
+    for (std::size_t k = 0; k < chain.vertices.size(); ++k) {
+      VertexRole& role = roles[at(chain.vertices[k])];
+      const bool is_end = !chain.closed && (k == 0 || k + 1 == chain.vertices.size());
+      role = role != VertexRole::inner || is_end || needed[k] ? VertexRole::kept : VertexRole::curve;
+    }
+  }
+  for (const LoneVertex& each : mesh.lone_vertices())
+    if (each.point != none) roles[at(each.point)] = VertexRole::kept;
+  return roles;
+}
+
+std::vector<double> wanted_spacing(const Mesh& mesh, const VertexGraph& graph, const std::vector<CurveChain>& chains,
+                                   const std::vector<VertexRole>& roles, const QualityGoals& goals,
+                                   const std::vector<double>& bounds, double gradation) {
+  std::vector<double> spacing = bounds;
+  spacing.resize(at(mesh.point_slots()), HUGE_VAL);
+  const auto lower = [&spacing](PointId v, double wanted) { spacing[at(v)] = std::min(spacing[at(v)], wanted); };
+  for (TriangleId t = 0; t < mesh.triangle_slots(); ++t)
+    if (mesh.is_alive(t))
+      for (int c = 0; c < 3; ++c)
+        lower(mesh.corner(t, c), std::min(goals.length_for_area(mesh.face(t)), goals.length_by_field(mesh, t, c)));
+  for (PointId v = 0; v < mesh.point_slots(); ++v)
+    if (mesh.is_vertex(v)) lower(v, goals.length_at(mesh.point(v), mesh.time));
+  for (const CurveChain& chain : chains)  // geometry's own spacing
+    visit_stretches(chain, roles, [&](PointId v, PointId w) {
+      const double apart = distance(mesh.point(v), mesh.point(w));
+      lower(v, apart);
+      lower(w, apart);
+    });
+
+  // Dijkstra from all vertices at once.
+  using Item = std::pair<double, PointId>;
+  std::priority_queue<Item, std::vector<Item>, std::greater<>> queue;
+  const auto spread = [&](double wanted, PointId v) {
+    for (const PointId w : graph.around(v)) {
+      if (wanted >= spacing[at(w)]) continue;
+      const double graded = wanted + gradation * quick_distance(mesh.point(v), mesh.point(w));
+      if (graded >= spacing[at(w)]) continue;
+      spacing[at(w)] = graded;
+      queue.push({graded, w});
+    }
+  };
+  for (PointId v = 0; v < mesh.point_slots(); ++v)
+    if (mesh.is_vertex(v) && spacing[at(v)] < HUGE_VAL) spread(spacing[at(v)], v);
+  while (!queue.empty()) {
+    const auto [wanted, v] = queue.top();
+    queue.pop();
+    if (wanted == spacing[at(v)]) spread(wanted, v);
+  }
+  const double widest = mesh.size();
+  for (double& wanted : spacing) wanted = std::min(wanted, widest);
+  return spacing;
+}
+
+}  // namespace pliant

@@ -1,0 +1,56 @@
+// lib/pliant/improve/global/free_points.h: new places for all control points of a mesh, free ones in blocks.
+#pragma once
+#include <array>
+#include <span>
+#include <vector>
+
+#include "pliant/mesh/mesh.h"
+
+namespace pliant {
+
+/// The places of the control points of a mesh while many of them are sought at once; the mesh itself stays as it is.
+/// Free are all that lie on no curve, in *blocks* that belong together: the points inside an edge, those inside an
+/// element, a vertex. Places are in a unit of their own, about the size of an element and a power of two: nothing is
+/// rounded, and nothing that is done with them depends on the unit of the mesh.
+class FreePoints {
+ public:
+  struct Block {
+    int first = 0, count = 0;  ///< slots: a block's places are next to each other
+    int elements = 0;          ///< how many contain it
+    bool is_vertex = false;
+  };
+  explicit FreePoints(const Mesh& mesh);
+
+  const Mesh& mesh() const { return *mesh_; }
+  std::span<const Block> blocks() const { return blocks_; }
+  /// The block of a point, or none: it does not move.
+  int block_of(PointId p) const { return block_of_[at(p)]; }
+  int slot(PointId p) const { return slots_[at(p)]; }
+  PointId point_in(int slot) const { return points_[at(slot)]; }
+  /// x and y of a slot and of those behind it.
+  double* coordinates(int slot) { return coordinates_[at(slot)].data(); }
+  Point place(PointId p) const {
+    const auto& xy = coordinates_[at(slot(p))];
+    return {xy[0], xy[1]};
+  }
+  Point place_in_mesh(PointId p) const { return unit_ * place(p); }
+  using Net = std::array<Point, net_size(max_degree)>;
+  /// The net of an element with the places as they are now.
+  std::span<const Point> gather(TriangleId t, Net& net) const;
+  bool is_valid(TriangleId t) const;
+  /// Is a net in the unit of the places certified valid?
+  bool is_valid(std::span<const Point> net) const;
+
+ private:
+  static std::size_t at(int i) { return static_cast<std::size_t>(i); }
+  void put(PointId p);
+  void add(std::span<const PointId> points, int elements, bool is_vertex);
+  const Mesh* mesh_;
+  double unit_ = 1;
+  std::vector<int> slots_, block_of_;
+  std::vector<PointId> points_;
+  std::vector<std::array<double, 2>> coordinates_;
+  std::vector<Block> blocks_;
+};
+
+}  // namespace pliant

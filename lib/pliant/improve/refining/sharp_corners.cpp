@@ -1,0 +1,230 @@
+// lib/pliant/improve/refining/sharp_corners.cpp: corners by the angles of tangents, sides by walks along constrained
+// edges.
+#include "pliant/improve/refining/sharp_corners.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+namespace pliant {
+namespace {
+
+constexpr FaceId several = -2;
+constexpr double narrow = 0.175;       // radians: a wedge is left as it is wherever it is narrower
+constexpr double most_ratio = 2.1;     // of the distances from the corner of neighbours on two sides: a shell is thick
+constexpr double corner_reach = 1.95;  // lengths of a triangle within which a small angle excuses it
+constexpr double most_extent = 3;      // of a triangle along a shell, in the shell's radius
+constexpr double same_distance = 1.2;  // of two vertices from a corner, on one shell
+constexpr double wide = std::numbers::pi / 3;  // no wedge is as wide as this
+
+std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
+
+/// Direction in which the edge leaves its origin: the first leg of its control polygon that has a length.
+Vector direction(const Mesh& mesh, HalfEdgeId h, bool reversed) {
+  const int p = mesh.degree();
+  const Point& origin = mesh.point(mesh.edge_point(h, reversed ? p : 0));
+  for (int k = 1; k <= p; ++k) {
+    const Point& b = mesh.point(mesh.edge_point(h, reversed ? p - k : k));
+    if (!(b == origin)) return b - origin;
+  }
+  return {};
+}
+
+bool is_below_sixty(const Vector& a, const Vector& b) {
+  return dot(a, b) > 0 && std::fabs(cross(a, b)) < std::numbers::sqrt3 * dot(a, b);
+}
+
+double logical_angle(const Mesh& mesh, HalfEdgeId h) {
+  const Point& v = mesh.point(mesh.origin(h));
+  const Vector a = mesh.point(mesh.target(h)) - v, b = mesh.point(mesh.apex(h)) - v;
+  return std::atan2(cross(a, b), dot(a, b));
+}
+
+/// Do two edges on curves, next to each other, enclose a small angle here? Their tangents tell it, and the logical
+/// triangles between them tell it from the rest of a full turn. The face, `several`, or outside if there is none.
+FaceId sharp_face(const Mesh& mesh, const Star& star) {
+  const std::size_t n = star.outgoing.size();
+  FaceId face = outside;
+  for (std::size_t i = 0; i < n; ++i) {
+    if (!mesh.is_constrained(star.outgoing[i])) continue;
+    const Vector from = direction(mesh, star.outgoing[i], false);
+    double angle = 0;
+    for (std::size_t k = 0; k < n; ++k) {
+      const HalfEdgeId h = star.outgoing[(i + k) % n];
+      angle += logical_angle(mesh, h);
+      if (angle > std::numbers::pi) break;
+      const HalfEdgeId closing = previous(h);
+      if (!mesh.is_constrained(closing)) continue;
+      const FaceId here = mesh.face(triangle_of(h));
+      if (is_below_sixty(from, direction(mesh, closing, true))) face = face == outside || face == here ? here : several;
+      break;
+    }
+  }
+  return face;
+}
+
+/// The vertices that constrained edges join to the star's.
+void curve_neighbors(const Mesh& mesh, const Star& star, std::vector<PointId>& out) {
+  out.clear();
+  for (const HalfEdgeId h : star.outgoing) {
+    if (mesh.is_constrained(h)) out.push_back(mesh.target(h));
+    // The last edge of each half-disk has no half-edge that leaves.
+    const HalfEdgeId back = previous(h);
+    if (mesh.is_constrained(back) && mesh.twin(back) == none) out.push_back(mesh.origin(back));
+  }
+}
+
+double angle_between(const Vector& a, const Vector& b) { return std::atan2(std::fabs(cross(a, b)), dot(a, b)); }
+
+}  // namespace
+
+SharpCorners::SharpCorners(const Mesh& mesh) {
+  find_corners(mesh);
+  if (!corners_.empty()) find_sides(mesh);
+}
+
+void SharpCorners::find_corners(const Mesh& mesh) {
+  Star star;
+  for (HalfEdgeId h = 0; h < 3 * mesh.triangle_slots(); ++h) {
+    if (!mesh.is_alive(triangle_of(h)) || !mesh.is_constrained(h)) continue;
+    // A corner has two such edges in every face; the one that leaves it speaks for both.
+    const PointId v = mesh.origin(h);
+    if (contains(v)) continue;
+    find_star(mesh, v, star);
+    if (const FaceId f = sharp_face(mesh, star); f != outside) corners_.emplace(v, f);
+  }
+}
+
+void SharpCorners::find_sides(const Mesh& mesh) {
+  sides_of_.assign(at(mesh.point_slots()), none);
+  std::vector<char> is_node(at(mesh.point_slots()), 0);
+  std::vector<PointId> neighbors;
+  Star star;
+  std::vector<PointId> corners;
+  for (const auto& [v, face] : corners_) corners.push_back(v);
+  std::sort(corners.begin(), corners.end());
+  for (HalfEdgeId h = 0; h < 3 * mesh.triangle_slots(); ++h) {
+    if (!mesh.is_alive(triangle_of(h)) || !mesh.is_constrained(h)) continue;
+    // Three or more edges, or one: counted by the half-edges that leave and those that arrive without a twin.
+    const auto count = [&](PointId v) { is_node[at(v)] = static_cast<char>(std::min(is_node[at(v)] + 1, 100)); };
+    count(mesh.origin(h));
+    if (mesh.twin(h) == none) count(mesh.target(h));
+  }
+  for (char& edges : is_node) edges = edges != 2;
+  for (const PointId v : corners) is_node[at(v)] = 1;
+  for (const PointId v : corners) {
+    find_star(mesh, v, star);
+    curve_neighbors(mesh, star, neighbors);
+    for (const PointId w : std::vector<PointId>(neighbors)) follow(mesh, v, w, is_node);
+  }
+}
+
+/// Walks from a corner along one of its edges to the next node, and makes a side of what it passes; two sides where it
+/// comes back to the same corner.
+void SharpCorners::follow(const Mesh& mesh, PointId from, PointId to, const std::vector<char>& is_node) {
+  if (!is_node[at(to)] && side_of(to) != none) return;  // walked from its other end
+  if (is_node[at(to)] && one_edge_.count(key(from, to)) > 0) return;
+  std::vector<PointId> passed, neighbors;
+  Star star;
+  PointId before = from, v = to;
+  while (!is_node[at(v)]) {
+    passed.push_back(v);
+    find_star(mesh, v, star);
+    curve_neighbors(mesh, star, neighbors);
+    const PointId next = neighbors.front() == before ? neighbors.back() : neighbors.front();
+    before = v;
+    v = next;
+  }
+  const auto side = static_cast<SideId>(sides_.size());
+  sides_.push_back({{from, contains(v) && v != from ? v : none}});
+  ending_at_[from].push_back(side);
+  if (v != from) ending_at_[v].push_back(side);
+  if (passed.empty()) one_edge_[key(from, v)] = side;
+  for (const PointId w : passed) sides_of_[at(w)] = side;
+  if (v != from) return;
+  sides_.push_back({{from, none}});
+  for (std::size_t k = passed.size() / 2; k < passed.size(); ++k) sides_of_[at(passed[k])] = side + 1;
+}
+
+void SharpCorners::add_between(PointId v, PointId first, PointId last) {
+  if (corners_.empty()) return;
+  SideId side = side_of(first);
+  if (side == none) side = side_of(last);
+  if (side == none)
+    if (const auto found = one_edge_.find(key(first, last)); found != one_edge_.end()) side = found->second;
+  if (sides_of_.size() <= at(v)) sides_of_.resize(2 * at(v) + 1, none);
+  sides_of_[at(v)] = side;
+}
+
+std::span<const SharpCorners::SideId> SharpCorners::all_sides_of(PointId v, SideId& storage) const {
+  storage = side_of(v);
+  if (storage != none) return {&storage, 1};
+  const auto found = ending_at_.find(v);
+  return found == ending_at_.end() ? std::span<const SideId>() : std::span<const SideId>(found->second);
+}
+
+PointId SharpCorners::shared(const Mesh& mesh, PointId p, PointId q, FaceId f) const {
+  if (corners_.empty()) return none;
+  SideId of_p = none, of_q = none;
+  PointId best = none;
+  double least = wide;
+  for (const SideId a : all_sides_of(p, of_p))
+    for (const SideId b : all_sides_of(q, of_q)) {
+      if (a == b) continue;
+      for (const PointId corner : sides_[at(a)].corners) {
+        const auto& others = sides_[at(b)].corners;
+        if (corner == none || corner == p || corner == q) continue;
+        if (std::find(others.begin(), others.end(), corner) == others.end()) continue;
+        const FaceId face = corners_.at(corner);
+        if (face != f && face != several) continue;
+        const Point& apex = mesh.point(corner);
+        const double angle = angle_between(mesh.point(p) - apex, mesh.point(q) - apex);
+        if (angle < least) least = angle, best = corner;
+      }
+    }
+  return best;
+}
+
+PointId SharpCorners::narrow_wedge(const Mesh& mesh, PointId p, PointId q, FaceId f) const {
+  const PointId corner = shared(mesh, p, q, f);
+  if (corner == none) return none;
+  const Point& apex = mesh.point(corner);
+  return angle_between(mesh.point(p) - apex, mesh.point(q) - apex) < narrow ? corner : none;
+}
+
+bool SharpCorners::excuses(const Mesh& mesh, HalfEdgeId shortest, double longest) const {
+  const PointId p = mesh.origin(shortest), q = mesh.target(shortest);
+  if (mesh.is_constrained(shortest)) return false;  // the ends of a side that comes back to its corner
+  const PointId corner = shared(mesh, p, q, mesh.face(triangle_of(shortest)));
+  if (corner == none) return false;
+  const Point& apex = mesh.point(corner);
+  const auto [near, far] = std::minmax({distance(apex, mesh.point(p)), distance(apex, mesh.point(q))});
+  const double third = distance(apex, mesh.point(mesh.apex(shortest)));
+  // The wedge ends where one of its sides does: what lies beyond is outside.
+  if (third > far && (side_of(p) == none || side_of(q) == none)) return false;
+  if (far <= most_ratio * near && angle_between(mesh.point(p) - apex, mesh.point(q) - apex) < narrow) return true;
+  return far < same_distance * near && std::min(near, third) <= corner_reach * longest && longest <= most_extent * near;
+}
+
+SharpCorners::Mirror SharpCorners::mirror(const Mesh& mesh, HalfEdgeId h) const {
+  if (corners_.empty()) return {};
+  const PointId a = mesh.origin(h), b = mesh.target(h);
+  Mirror found;
+  double nearest = HUGE_VAL;
+  for (const HalfEdgeId side : {h, mesh.twin(h)}) {
+    if (side == none) continue;
+    const PointId v = mesh.apex(side);
+    for (const PointId end : {a, b}) {
+      const PointId corner = shared(mesh, v, end, mesh.face(triangle_of(side)));
+      if (corner == none ||
+          angle_between(mesh.point(v) - mesh.point(corner), mesh.point(end) - mesh.point(corner)) > 0.5)
+        continue;
+      const double off = distance(mesh.point(v), 0.5 * (mesh.point(a) + mesh.point(b)));
+      if (off < nearest) nearest = off, found = {corner, distance(mesh.point(corner), mesh.point(v))};
+    }
+  }
+  return found;
+}
+
+}  // namespace pliant

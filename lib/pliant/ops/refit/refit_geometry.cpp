@@ -1,0 +1,312 @@
+// lib/pliant/ops/refit/refit_geometry.cpp: Places for the new control points of a patch: the displacement field of the
+// logical region, fitted.
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <random>
+
+#include "pliant/geometry/bernstein.h"
+#include "pliant/geometry/dense/solve_dense.h"
+#include "pliant/geometry/linear_triangle.h"
+#include "pliant/geometry/node_basis.h"
+#include "pliant/geometry/placement/optimal_placement.h"
+#include "pliant/geometry/validity/jacobian.h"
+#include "pliant/ops/build_triangle.h"
+#include "pliant/ops/even_jacobian.h"
+#include "pliant/ops/refit/refit.h"
+
+namespace pliant {
+namespace {
+
+constexpr int max_sweeps = 12;  // of optimal placement over several free points
+constexpr int least_sweeps = 4;
+constexpr double least_gain = 0.002;       // of the size of the least value: a sweep with less is the last
+constexpr int pieces_in_sweep = 200;       // a place that the next point's move changes need not be the very best
+constexpr std::size_t most_starts = 6400;  // of the search, times the cube of the number of free points
+constexpr int max_steps = 12;              // of Gauss-Newton over all of them
+constexpr double wanted_ratio = 0.05;      // of det J's coefficients to their mean
+constexpr double weight_growth = 3;
+constexpr double least_share = 1e-6;  // of a logical triangle in the region
+constexpr double rounding = 0x1p-51;  // of a coordinate: shorter displacements are none
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+/// Where control point k of a straight triangle stands.
+Point straight(const NetLayout& layout, int k, const Point& a, const Point& b, const Point& c) {
+  const int j = layout.exponents(k)[1], l = layout.exponents(k)[2];
+  return a + (1.0 / layout.degree()) * (j * (b - a) + l * (c - a));
+}
+
+int index_in(std::span<const PointId> free, PointId p) {
+  const auto found = std::find(free.begin(), free.end(), p);
+  return found == free.end() ? -1 : static_cast<int>(found - free.begin());
+}
+
+/// Gauss-Newton over all free points at once towards an even det J, with more and more weight on coefficients that are
+/// not positive. What each element should have: its share of the region, as the logical triangles divide it.
+bool even_out(Mesh& mesh, std::span<const TriangleId> now, std::span<const PointId> free) {
+  thread_local std::vector<double> targets, ratios, weights;
+  const std::size_t n = at(mesh.net_size()), m = at(net_size(jacobian_degree(mesh.degree())));
+  std::array<Point, net_size(max_degree)> net;
+  targets.clear();
+  double region = 0, logical = 0;
+  for (const TriangleId t : now) {
+    mesh.gather_points(t, net);
+    region += element_area(mesh.degree(), {net.data(), n});
+    targets.push_back(triangle_area(net[0], net[1], net[2]));
+    logical += targets.back();
+  }
+  // What a sliver's det J should be drowns in the rounding of coordinates.
+  const double least = least_share * logical;
+  if (!(region > 0) || !std::all_of(targets.begin(), targets.end(), [least](double x) { return x > least; }))
+    return false;
+  for (double& target : targets) target *= 2 * region / logical;
+  ratios.resize(m * now.size());
+  weights.assign(ratios.size(), 1.0);
+  for (int step = 0; step < max_steps; ++step) {
+    step_to_even_jacobian(mesh, now, free, targets, weights);
+    if (all_valid(mesh, now)) return true;
+    jacobian_ratios(mesh, now, targets, ratios);
+    for (std::size_t k = 0; k < ratios.size(); ++k)
+      if (ratios[k] < wanted_ratio) weights[k] *= weight_growth;
+  }
+  return false;
+}
+
+/// Optimal placement of the free points, one after the other, from where they are, until every element is valid or a
+/// sweep gains little.
+bool sweep_placements(Mesh& mesh, std::span<const TriangleId> now, std::span<const PointId> free) {
+  const std::size_t n = at(mesh.net_size());
+  std::array<std::array<Point, net_size(max_degree)>, 8> nets;
+  std::array<PlacementElement, 8> elements;
+  double reached = -HUGE_VAL;
+  for (int sweep = 0; sweep < max_sweeps; ++sweep) {
+    double least = HUGE_VAL;
+    for (const PointId p : free) {
+      std::size_t count = 0;
+      for (const TriangleId t : now) {
+        const auto net = mesh.net(t);
+        const auto found = std::find(net.begin(), net.end(), p);
+        if (found == net.end() || count == elements.size()) continue;
+        mesh.gather_points(t, nets[count]);
+        elements[count] = {{nets[count].data(), n}, static_cast<int>(found - net.begin())};
+        ++count;
+      }
+      if (count == 0) continue;
+      const Placement placement = untangle_point(mesh.degree(), {elements.data(), count}, mesh.point(p),
+                                                 PlacementMeasure::element, free.size() == 1 ? 400 : pieces_in_sweep);
+      least = std::min(least, placement.value);
+      if (free.size() == 1 && placement.outcome != Placement::Outcome::placed) return false;
+      if (is_finite(placement.place)) mesh.set_point(p, placement.place);
+    }
+    if (all_valid(mesh, now)) return true;
+    if (sweep >= least_sweeps && least < reached + least_gain * std::abs(reached)) break;
+    reached = std::max(reached, least);
+  }
+  return false;
+}
+
+/// Searches that found nothing, by the bits of all that decides them. A pass asks for the same flip again and again as
+/// long as nothing around it changes.
+class FruitlessSearches {
+ public:
+  /// True if this search is known to find nothing.
+  bool contains(const Mesh& mesh, std::span<const TriangleId> now, std::span<const PointId> free) {
+    key_.assign({static_cast<double>(mesh.degree()), static_cast<double>(free.size())});
+    for (const TriangleId t : now)
+      for (const PointId p : mesh.net(t)) {
+        const Point& place = mesh.point(p);
+        key_.insert(key_.end(), {place.x, place.y, static_cast<double>(index_in(free, p))});
+      }
+    slot_ = 0;
+    for (const double value : key_) slot_ = 1099511628211u * (slot_ ^ std::bit_cast<std::uint64_t>(value));
+    slot_ = (slot_ >> 32) % known_.size();
+    return known_[slot_] == key_;
+  }
+  /// Adds the search that was asked for last.
+  void add() { known_[slot_] = key_; }
+
+ private:
+  std::array<std::vector<double>, 256> known_;
+  std::vector<double> key_;
+  std::uint64_t slot_ = 0;
+};
+
+/// One free point: its best place decides. Several: their best places depend on where the search begins; it does so
+/// from where they are, then from what evens out det J, then from chance places in the patch, the same ones in every
+/// run.
+bool search(Mesh& mesh, std::span<const TriangleId> now, std::span<const PointId> free) {
+  thread_local std::vector<Point> first;
+  first.clear();
+  for (const PointId p : free) first.push_back(mesh.point(p));
+  if (sweep_placements(mesh, now, free)) return true;
+  if (free.size() == 1) return false;
+  for (std::size_t k = 0; k < free.size(); ++k) mesh.set_point(free[k], first[k]);
+  if (even_out(mesh, now, free)) return true;
+  Box box;
+  for (const TriangleId t : now)
+    for (const PointId p : mesh.net(t))
+      if (index_in(free, p) < 0) box.extend(mesh.point(p));
+  std::minstd_rand random(1);
+  std::uniform_real_distribution<double> x(box.low.x, box.high.x), y(box.low.y, box.high.y);
+  const std::size_t starts = most_starts / (free.size() * free.size() * free.size());
+  for (std::size_t start = 0; start < starts; ++start) {
+    for (const PointId p : free) mesh.set_point(p, {x(random), y(random)});
+    if (sweep_placements(mesh, now, free)) return true;
+  }
+  return false;
+}
+
+bool untangle(Mesh& mesh, std::span<const TriangleId> now, std::span<const PointId> free) {
+  // No place of a control point helps an element that lies between two smoothly joined edges.
+  if (std::any_of(now.begin(), now.end(), [&mesh](TriangleId t) { return covers_smooth_corner(mesh, t); }))
+    return false;
+  // Which corners may be degenerate is not part of what is remembered.
+  if (free.size() == 1 || !mesh.boundary().cusps.empty()) return search(mesh, now, free);
+  thread_local FruitlessSearches fruitless;
+  if (fruitless.contains(mesh, now, free)) return false;
+  if (search(mesh, now, free)) return true;
+  fruitless.add();
+  return false;
+}
+
+}  // namespace
+
+void Patch::capture(const Mesh& mesh, std::span<const TriangleId> old) {
+  degree_ = mesh.degree();
+  n_ = mesh.net_size();
+  width_ = mesh.width();
+  size_ = mesh.size();
+  elements_.clear();
+  rows_.resize(old.size() * at(n_ * width_));
+  std::size_t first = 0;
+  for (const TriangleId t : old) {
+    elements_.push_back({mesh.face(t), first});
+    mesh.gather(t, std::span<double>(rows_).subspan(first, at(n_ * width_)));
+    first += at(n_ * width_);
+  }
+  origin_ = old_point(elements_[0], 0);
+  reach_ = 0;
+  for (const Element& e : elements_)
+    for (int c = 0; c < 3; ++c) reach_ = std::max({reach_, std::abs(old_point(e, c).x), std::abs(old_point(e, c).y)});
+}
+
+double Patch::extent() const {
+  double longest = 0;  // squared
+  for (const Element& e : elements_)
+    for (int c = 0; c < 3; ++c)
+      longest = std::max(longest, squared_length(old_point(e, (c + 1) % 3) - old_point(e, c)));
+  return std::sqrt(longest);
+}
+
+void Patch::fit_displacement(const Mesh& mesh, std::span<const TriangleId> now, std::span<const PointId> free,
+                             std::span<const double> displacement, std::span<Vector> solution) const {
+  const NetLayout& layout = NetLayout::of(degree_);
+  const NodeBasis& table = node_basis(degree_);
+  const int unknowns = static_cast<int>(free.size());
+  thread_local std::vector<double> normal, right;
+  normal.assign(at(unknowns * unknowns), 0.0);
+  right.assign(at(2 * unknowns), 0.0);
+  std::array<Vector, net_size(max_degree)> known;
+  std::array<std::pair<int, int>, net_size(max_degree)> unknown;  // place in the net, number
+  std::array<double, net_size(max_degree)> old_basis;
+  for (const TriangleId t : now) {
+    const auto net = mesh.net(t);
+    const Point a = mesh.point(net[0]), b = mesh.point(net[1]), c = mesh.point(net[2]);
+    std::size_t own = 0;            // unknowns in this element
+    for (int k = 3; k < n_; ++k) {  // corners are where the straight triangle has them
+      const int u = index_in(free, net[at(k)]);
+      if (u >= 0) unknown[own++] = {k, u};
+      known[at(k)] = u < 0 ? mesh.point(net[at(k)]) - straight(layout, k, a, b, c) : Vector{};
+    }
+    const double area = triangle_area(a, b, c);
+    for (std::size_t node = 0; node < table.nodes.size(); ++node) {
+      const Barycentric& at_node = table.nodes[node].xi;
+      const Point x = at_node[0] * a + at_node[1] * b + at_node[2] * c;
+      std::size_t best = 0;
+      double depth = -HUGE_VAL;
+      Barycentric best_xi{};
+      for (std::size_t e = 0; e < elements_.size() && depth < 0; ++e) {
+        const Element& old = elements_[e];
+        const Barycentric xi = barycentric(old_point(old, 0), old_point(old, 1), old_point(old, 2), x);
+        const double least = std::min({xi[0], xi[1], xi[2]});
+        if (least > depth) depth = least, best = e, best_xi = xi;
+      }
+      if (degree_ == 2) {
+        const auto& [u, v, w] = best_xi;
+        old_basis[3] = 2 * u * v, old_basis[4] = 2 * v * w, old_basis[5] = 2 * w * u;
+      } else {
+        bernstein_basis(degree_, best_xi, old_basis);
+      }
+      const double* const old = displacement.data() + best * at(2 * n_);
+      const std::span<const double> basis = table.at(node);
+      Vector rest{};
+      for (int k = 3; k < n_; ++k)
+        rest += old_basis[at(k)] * Vector{old[2 * k], old[2 * k + 1]} - basis[at(k)] * known[at(k)];
+      const double weight = table.nodes[node].weight * area;
+      for (std::size_t i = 0; i < own; ++i) {
+        const auto& [k, u] = unknown[i];
+        const double share = weight * basis[at(k)];
+        right[at(2 * u)] += share * rest.x;
+        right[at(2 * u + 1)] += share * rest.y;
+        for (std::size_t j = 0; j < own; ++j)
+          normal[at(u * unknowns + unknown[j].second)] += share * basis[at(unknown[j].first)];
+      }
+    }
+  }
+  solve_dense(unknowns, normal, 2, right);
+  for (int u = 0; u < unknowns; ++u) solution[at(u)] = {right[at(2 * u)], right[at(2 * u + 1)]};
+}
+
+bool Patch::fit_geometry(Mesh& mesh, std::span<const TriangleId> now, std::span<const PointId> free,
+                         double straight_below) const {
+  if (free.empty()) return all_valid(mesh, now);
+  const NetLayout& layout = NetLayout::of(degree_);
+  // The old displacements, as nets over the straight triangles, and how long they are: below the rounding of the
+  // coordinates themselves they are none.
+  thread_local std::vector<double> displacement;
+  displacement.resize(elements_.size() * at(2 * n_));
+  double longest = 0, reach = 0;  // squared; of the coordinates
+  for (std::size_t e = 0; e < elements_.size(); ++e)
+    for (int k = 0; k < n_; ++k) {
+      const Element& old = elements_[e];
+      const Point p = old_point(old, k);
+      const Vector d = p - straight(layout, k, old_point(old, 0), old_point(old, 1), old_point(old, 2));
+      displacement[e * at(2 * n_) + at(2 * k)] = d.x;
+      displacement[e * at(2 * n_) + at(2 * k + 1)] = d.y;
+      longest = std::max(longest, squared_length(d));
+      reach = std::max({reach, std::abs(p.x), std::abs(p.y)});
+    }
+  longest = std::sqrt(longest);
+  const bool are_straight = longest <= rounding * reach;
+
+  thread_local std::vector<Vector> solution;
+  solution.assign(free.size(), Vector{});
+  const auto place = [&] {
+    for (const TriangleId t : now) {
+      const auto net = mesh.net(t);
+      const Point &a = mesh.point(net[0]), &b = mesh.point(net[1]), &c = mesh.point(net[2]);
+      for (int k = 3; k < n_; ++k) {
+        const int u = index_in(free, net[at(k)]);
+        if (u < 0) continue;
+        Vector d = solution[at(u)];
+        if (!is_finite(d)) d = {0, 0};
+        const double far = std::sqrt(squared_length(d));
+        if (far > longest) d *= longest / far;
+        mesh.set_point(net[at(k)], straight(layout, k, a, b, c) + d);
+      }
+    }
+    return all_valid(mesh, now);
+  };
+  if ((are_straight || longest <= straight_below * extent()) && place()) return true;
+  if (!are_straight) {
+    fit_displacement(mesh, now, free, displacement, solution);
+    if (place()) return true;
+  }
+  // Straight elements that are not valid are flat to rounding: to bend them would hide that.
+  return !are_straight && untangle(mesh, now, free);
+}
+
+}  // namespace pliant

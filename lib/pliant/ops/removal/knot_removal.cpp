@@ -1,0 +1,105 @@
+// lib/pliant/ops/removal/knot_removal.cpp: what removing a knot does to its curve, tried out and foreseen.
+#include "pliant/ops/removal/knot_removal.h"
+
+#include <algorithm>
+#include <array>
+
+#include "pliant/ops/removal/removal_stretch.h"
+#include "pliant/geometry/spline/turning_angle.h"
+
+namespace pliant {
+namespace {
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+bool is_tolerable(const Mesh& mesh, const Curve& curve, double error, const CurveTolerance& tolerance) {
+  if (error <= mesh.tolerance()) return true;  // exact but for rounding
+  return curve.removal_error + error <= tolerance.total && error <= tolerance.step;
+}
+
+}  // namespace
+
+std::optional<double> remove_break(Mesh& mesh, CurveId c, double knot, const CurveTolerance& tolerance) {
+  const Curve& curve = mesh.boundary().curves[at(c)];
+  std::optional<RemovalStretch> before;
+  if (tolerance.keep_area) before.emplace(mesh, c, knot);
+  std::optional<double> error = mesh.remove_break(c, knot);
+  if (error && before && is_tolerable(mesh, curve, *error, tolerance)) error = before->restore_area(mesh);
+  return error;
+}
+
+KnotRemoval try_removal(Mesh& mesh, PointId v, const Star& star, const CurveTolerance& tolerance, bool is_changed) {
+  KnotRemoval plan;
+  plan.passage = passage_at(mesh, v, star);
+  const auto refused = [&plan](Refusal refusal) {
+    plan.refusal = refusal;
+    return plan;
+  };
+  const CurveId c = plan.passage.curve;
+  if (c == none) return refused(Refusal::corner);  // or pinched, or on no curve
+  const Curve& curve = mesh.boundary().curves[at(c)];
+  const BSpline& spline = curve.spline;
+  const ConstraintId kept = mesh.constraint(plan.passage.before), dropped = mesh.constraint(plan.passage.after);
+  const double knot = mesh.constraint_start(dropped);
+  if (spline.closed() ? spline.span_count(4) <= 3 : knot <= spline.first_parameter())
+    return refused(Refusal::not_removable);
+  plan.start = is_changed ? spline.span_before(knot) : mesh.constraint_start(kept);
+  // The first of a knot's copies costs no more than all of them, and it tells without a change.
+  const std::optional<double> least = spline.removal_error(knot);
+  if (!least) return refused(Refusal::not_removable);
+  plan.error = *least;
+  if (!is_tolerable(mesh, curve, plan.error, tolerance)) return refused(Refusal::exceeds_tolerance);
+  const std::optional<double> error = remove_break(mesh, c, knot, tolerance);
+  if (!error) return refused(Refusal::not_removable);
+  plan.error = *error;
+  if (!is_tolerable(mesh, curve, plan.error, tolerance)) return refused(Refusal::exceeds_tolerance);
+  std::array<Point, max_degree + 1> merged_polygon;
+  const std::span<Point> long_span{merged_polygon.data(), at(mesh.degree() + 1)};
+  spline.extract(plan.start, long_span);
+  if (turning_angle(long_span) > tolerance.max_turning) return refused(Refusal::too_curved);
+  plan.from = mesh.constraint_first(kept);
+  plan.to = mesh.origin(plan.passage.after) == v ? mesh.target(plan.passage.after) : mesh.origin(plan.passage.after);
+  if (!is_changed &&
+      (find_half_edge(mesh, plan.from, plan.to) != none || find_half_edge(mesh, plan.to, plan.from) != none))
+    return refused(Refusal::edge_exists);
+  return plan;
+}
+
+CurveRemoval foresee_curve_removal(Mesh& mesh, PointId v, const CurveTolerance& tolerance, ForeseenCurves& foreseen) {
+  thread_local Star star;
+  find_star(mesh, v, star);
+  const CurveId c = passage_at(mesh, v, star).curve;
+  Transaction transaction(mesh);
+  const KnotRemoval plan = try_removal(mesh, v, star, tolerance, foreseen.find(c) != nullptr);
+  if (plan.refusal != Refusal::done) return {plan.refusal, plan.error};
+  mesh.set_removal_error(c, mesh.boundary().curves[at(c)].removal_error + plan.error);
+  transaction.commit();
+  ForeseenCurves::Changed* changed = foreseen.find(c);
+  if (changed == nullptr) changed = &foreseen.curves.emplace_back(ForeseenCurves::Changed{c, 0});
+
+  // Where the vertices near by will be. Those that have gone before have no knot any more.
+  const BSpline& spline = mesh.spline(c);
+  thread_local Footprint footprint;
+  find_footprint(mesh, plan.passage, footprint, changed->removals++);
+  footprint.half_edges.insert(footprint.half_edges.end(), {plan.passage.before, plan.passage.after});
+  std::array<Point, max_degree + 1> bezier;
+  for (const HalfEdgeId h : footprint.half_edges) {
+    const ConstraintId constraint = mesh.constraint(h);
+    const double knot = mesh.constraint_start(constraint);
+    const PointId w = mesh.constraint_first(constraint);
+    if (spline.multiplicity(knot) == 0 || (!spline.closed() && knot <= spline.first_parameter())) continue;
+    spline.extract(knot, {bezier.data(), at(mesh.degree() + 1)});
+    const auto known =
+        std::find_if(foreseen.moved.begin(), foreseen.moved.end(), [w](const auto& each) { return each.first == w; });
+    if (known != foreseen.moved.end()) {
+      known->second = bezier[0];
+    } else if (bezier[0] != mesh.point(w)) {
+      foreseen.moved.emplace_back(w, bezier[0]);
+      find_star(mesh, w, star);
+      if (passage_at(mesh, w, star).curve == none) return {Refusal::corner, plan.error};  // something holds on to it
+    }
+  }
+  return {Refusal::done, plan.error};
+}
+
+}  // namespace pliant

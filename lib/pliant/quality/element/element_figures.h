@@ -1,0 +1,27 @@
+// lib/pliant/quality/element/element_figures.h: the measures of single elements, column by column.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "pliant/geometry/validity/validity.h"
+#include "pliant/mesh/ids.h"
+
+namespace pliant {
+
+/// One measure of every element that was chosen. NaN where it does not exist or overflows.
+struct ElementColumn {
+  std::string name;
+  bool worst_is_least = true;  ///< false: the largest values are the worst
+  std::vector<double> values;
+};
+
+/// What tables (CSV) and pages (HTML) show of each element; entry k of every vector belongs to triangles[k].
+/// Columns, in this order: jacobian, jacobian_max, scaled_jacobian, shape, logical_tau, control_tau, distortion,
+/// logical_angle, turning_angle, edge_length (the shortest edge), edge_length_max (the longest), element_area.
+struct ElementFigures {
+  std::vector<TriangleId> triangles;
+  std::vector<Validity> validity;
+  std::vector<ElementColumn> columns;
+};
+
+}  // namespace pliant

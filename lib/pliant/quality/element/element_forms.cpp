@@ -1,0 +1,129 @@
+// lib/pliant/quality/element/element_forms.cpp: sums of products, from a table.
+#include "pliant/quality/element/element_forms.h"
+
+#include <algorithm>
+#include <bit>
+#include <cassert>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
+
+namespace pliant {
+namespace {
+
+constexpr std::size_t at(int n) { return static_cast<std::size_t>(n); }
+
+/// One product of the sum: the coefficient `target` of a product of polynomials of degree p - 1 gets weight a_i b_j.
+struct Term {
+  int i, j, target;
+  double weight;
+};
+struct FormTable {
+  std::vector<std::array<int, 3>> triangles;
+  std::vector<Term> terms;
+  int most_terms = 0;  // of one target
+};
+
+FormTable build_table(int degree) {
+  const NetLayout& net = NetLayout::of(degree);
+  const NetLayout& partial = NetLayout::of(degree - 1);
+  const NetLayout& product = NetLayout::of(2 * (degree - 1));
+  FormTable table;
+  for (int m = 0; m < partial.size(); ++m) {
+    const auto [i, j, k] = partial.exponents(m);
+    table.triangles.push_back({net.index(i + 1, j), net.index(i, j + 1), net.index(i, j)});
+  }
+  std::vector<int> count(at(product.size()));
+  for (int m = 0; m < partial.size(); ++m) {
+    for (int n = 0; n < partial.size(); ++n) {
+      const auto& e = partial.exponents(m);
+      const auto& f = partial.exponents(n);
+      const int target = product.index(e[0] + f[0], e[1] + f[1]);
+      const double weight =
+          degree * degree * partial.multinomial(m) * partial.multinomial(n) / product.multinomial(target);
+      table.terms.push_back({m, n, target, weight});
+      table.most_terms = std::max(table.most_terms, ++count[at(target)]);
+    }
+  }
+  if (degree < 2) return table;
+  const NetLayout& inverted = NetLayout::of(degree - 2);
+  for (int m = 0; m < inverted.size(); ++m) {
+    const auto [i, j, k] = inverted.exponents(m);
+    table.triangles.push_back({net.index(i, j + 1), net.index(i + 1, j), net.index(i + 1, j + 1)});
+  }
+  return table;
+}
+
+const FormTable& table_of(int degree) {
+  static const std::vector<FormTable> all = [] {
+    std::vector<FormTable> tables;
+    for (int p = 1; p <= max_degree; ++p) tables.push_back(build_table(p));
+    return tables;
+  }();
+  assert(1 <= degree && degree <= max_degree);
+  return all[at(degree - 1)];
+}
+
+/// The greatest power of two not above x > 0, but at least 2^-1022, lest its inverse overflow.
+double power_of_two(double x) {
+  const auto bits = std::bit_cast<std::uint64_t>(x) & 0x7ff0000000000000U;
+  return bits == 0 ? 0x1p-1022 : std::bit_cast<double>(bits);
+}
+
+/// The table's sums for p = 2, written out: a at the corners, means of a with its neighbour on the edges.
+void quadratic_forms(const Vector* along_2, const Vector* along_3, ElementForms& forms) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t j = (i + 1) % 3;
+    const Vector &a = along_2[i], &b = along_3[i], &c = along_2[j], &d = along_3[j];
+    forms.jacobian[i] = 4 * cross(a, b);
+    forms.squares[i] = 4 * (dot(a, a - b) + dot(b, b));
+    forms.jacobian[3 + i] = 2 * (cross(a, d) + cross(c, b));
+    forms.squares[3 + i] = 2 * (2 * dot(a, c) - dot(a, d) - dot(c, b) + 2 * dot(b, d));
+  }
+}
+
+}  // namespace
+
+std::span<const std::array<int, 3>> control_triangles(int degree) { return table_of(degree).triangles; }
+
+double ElementForms::mean_jacobian() const {
+  return std::accumulate(jacobian.begin(), jacobian.begin() + size(), 0.0) / size();
+}
+
+void element_forms(int degree, std::span<const Point> net, ElementForms& forms) {
+  const FormTable& table = table_of(degree);
+  const std::size_t partials = at(net_size(degree - 1));
+  std::array<Vector, net_size(max_degree - 1)> along_2, along_3;
+  double greatest = 0;
+  for (std::size_t m = 0; m < partials; ++m) {
+    const auto [first, second, third] = table.triangles[m];
+    along_2[m] = net[at(second)] - net[at(first)];
+    along_3[m] = net[at(third)] - net[at(first)];
+    for (const Vector& v : {along_2[m], along_3[m]}) greatest = std::max({greatest, std::fabs(v.x), std::fabs(v.y)});
+  }
+  forms.degree = 2 * (degree - 1);
+  forms.is_point = greatest == 0;
+  forms.is_finite = std::isfinite(greatest);
+  if (!forms.is_finite) return;
+  forms.unit = forms.is_point ? 1 : power_of_two(greatest);
+  const double scale = 1 / forms.unit;
+  for (std::size_t m = 0; m < partials; ++m) {
+    along_2[m] *= scale;
+    along_3[m] *= scale;
+  }
+  // Components are below 2, so each product below 16; a coefficient is a sum of `most_terms` of them whose weights sum
+  // to p^2, each carrying some ten roundings of 2^-53.
+  forms.error = (table.most_terms + 10) * 0x1p-53 * 16 * degree * degree;
+  if (degree == 2) return quadratic_forms(along_2.data(), along_3.data(), forms);
+  std::fill_n(forms.jacobian.begin(), forms.size(), 0.0);
+  std::fill_n(forms.squares.begin(), forms.size(), 0.0);
+  for (const Term& term : table.terms) {
+    const Vector &a = along_2[at(term.i)], &b = along_3[at(term.j)];
+    const Vector &c = along_2[at(term.j)], &d = along_3[at(term.i)];
+    forms.jacobian[at(term.target)] += term.weight * cross(a, b);
+    forms.squares[at(term.target)] += term.weight * (dot(a, c - b) + dot(d, b));
+  }
+}
+
+}  // namespace pliant
