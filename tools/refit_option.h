@@ -1,6 +1,6 @@
 // tools/refit_option.h: --projection, the same in every tool that refits fields.
 #pragma once
-#include "pliant/ops/outcome.h"
+#include "pliant/ops/refit_options.h"
 
 namespace CLI {
 class App;

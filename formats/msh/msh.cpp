@@ -5,15 +5,11 @@
 #include <set>
 
 #include "formats/msh/msh_mesh.h"
+#include "pliant/geometry/index.h"
 #include "pliant/geometry/net_layout.h"
 
 namespace pliant {
 namespace {
-
-template <class I>
-std::size_t at(I i) {
-  return static_cast<std::size_t>(i);
-}
 
 std::string count_of(std::size_t count, const char* what) {
   return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
@@ -87,7 +83,7 @@ class Import {
     std::size_t t = 0;
     const PointId* nodes = file_.triangle_nodes.data();
     for (const MshTriangles& block : file_.blocks) {
-      const std::size_t size = at(net_size(block.order));
+      const std::size_t size = index(net_size(block.order));
       const bool doubtful = is_doubtful(block);
       for (std::size_t k = 0; k < block.count; ++k, ++t, nodes += size)
         if (doubtful) all.push_back({nodes, size, t, block.physical});
@@ -108,7 +104,7 @@ class Import {
     t = 0;
     nodes = file_.triangle_nodes.data();
     for (MshTriangles& block : file_.blocks) {
-      const std::size_t size = at(net_size(block.order)), count = block.count;
+      const std::size_t size = index(net_size(block.order)), count = block.count;
       for (std::size_t k = 0; k < count; ++k, ++t, nodes += size) {
         if (gone[t]) {
           --block.count;
@@ -172,16 +168,16 @@ class Import {
     Box box;
     double low = HUGE_VAL, high = -HUGE_VAL;
     for (const PointId p : file_.triangle_nodes) {
-      box.extend(file_.nodes[at(p)]);
-      low = std::fmin(low, file_.z[at(p)]);
-      high = std::fmax(high, file_.z[at(p)]);
+      box.extend(file_.nodes[index(p)]);
+      low = std::fmin(low, file_.z[index(p)]);
+      high = std::fmax(high, file_.z[index(p)]);
     }
     if (high - low <= 1e-12 * box.size()) return;
-    const double first = file_.z[at(file_.triangle_nodes.front())];
+    const double first = file_.z[index(file_.triangle_nodes.front())];
     for (const PointId p : file_.triangle_nodes)
-      if (!(std::fabs(file_.z[at(p)] - first) <= 1e-12 * box.size()))
+      if (!(std::fabs(file_.z[index(p)] - first) <= 1e-12 * box.size()))
         throw InputError("node " + std::to_string(file_.tags.tag_of(p)),
-                         "has z = " + std::to_string(file_.z[at(p)]) + " where the first triangle has z = " +
+                         "has z = " + std::to_string(file_.z[index(p)]) + " where the first triangle has z = " +
                              std::to_string(first) + ": only meshes in a plane of constant z are read");
   }
 
@@ -208,11 +204,11 @@ class Import {
       mesh().points[kept++] = mesh().points[p];
     }
     mesh().points.resize(kept);
-    for (PointId& p : mesh().triangles) p = number[at(p)];
+    for (PointId& p : mesh().triangles) p = number[index(p)];
     // Lines whose ends no triangle has stay, to be counted.
     for (MshLine& line : file_.lines) {
-      line.from = number[at(line.from)];
-      line.to = number[at(line.to)];
+      line.from = number[index(line.from)];
+      line.to = number[index(line.to)];
     }
   }
 

@@ -5,15 +5,11 @@
 #include <unordered_map>
 
 #include "formats/msh/msh_mesh.h"
+#include "pliant/geometry/index.h"
 #include "pliant/geometry/net_layout.h"
 
 namespace pliant {
 namespace {
-
-template <class I>
-std::size_t at(I i) {
-  return static_cast<std::size_t>(i);
-}
 
 class Tracer {
  public:
@@ -71,8 +67,8 @@ class Tracer {
     bool used;
   };
 
-  FaceId face_of(HalfEdgeId h) const { return mesh_.triangle_faces[at(triangle_of(h))]; }
-  const PointId* net_of(HalfEdgeId h) const { return &mesh_.triangles[at(triangle_of(h)) * at(layout_.size())]; }
+  FaceId face_of(HalfEdgeId h) const { return mesh_.triangle_faces[index(triangle_of(h))]; }
+  const PointId* net_of(HalfEdgeId h) const { return &mesh_.triangles[index(triangle_of(h)) * index(layout_.size())]; }
 
   /// The groups of the file's lines, which are sorted by their ends; of two with the same ends the first counts.
   void find_marks() {
@@ -130,7 +126,7 @@ class Tracer {
 
   int vertex(PointId p) {
     const auto [place, is_new] = vertices_.emplace(p, static_cast<int>(mesh_.boundary.vertices.size()));
-    if (is_new) mesh_.boundary.vertices.push_back(mesh_.points[at(p)]);
+    if (is_new) mesh_.boundary.vertices.push_back(mesh_.points[index(p)]);
     return place->second;
   }
 
@@ -139,7 +135,7 @@ class Tracer {
     std::vector<double> at_end{0};
     double least = HUGE_VAL;
     for (const std::size_t e : chain) {
-      const double chord = distance(mesh_.points[at(edges_[e].from)], mesh_.points[at(edges_[e].to)]);
+      const double chord = distance(mesh_.points[index(edges_[e].from)], mesh_.points[index(edges_[e].to)]);
       least = std::fmin(least, chord);
       at_end.push_back(at_end.back() + chord);
     }
@@ -152,13 +148,13 @@ class Tracer {
     const int p = mesh_.degree;
     const auto number = static_cast<CurveId>(mesh_.boundary.curves.size());
     std::vector<Point> points;
-    points.reserve(chain.size() * at(p) + 1);
+    points.reserve(chain.size() * index(p) + 1);
     for (std::size_t s = 0; s < chain.size(); ++s) {
       const HalfEdgeId h = edges_[chain[s]].half_edge;
       ConstrainedEdge edge{number, static_cast<int>(s), {}};
-      edge.points.reserve(at(p) + 1);
+      edge.points.reserve(index(p) + 1);
       for (int k = 0; k <= p; ++k) edge.points.push_back(net_of(h)[layout_.edge_index(edge_of(h), k)]);
-      for (int k = s == 0 ? 0 : 1; k <= p; ++k) points.push_back(mesh_.points[at(edge.points[at(k)])]);
+      for (int k = s == 0 ? 0 : 1; k <= p; ++k) points.push_back(mesh_.points[index(edge.points[index(k)])]);
       mesh_.constrained_edges.push_back(std::move(edge));
     }
     if (closed) points.pop_back();
@@ -167,12 +163,12 @@ class Tracer {
     // second one, and the first edge's start comes last.
     const std::vector<double> at_end = breaks(chain);
     std::vector<double> knots;
-    knots.reserve(at_end.size() * at(p) + 2);
+    knots.reserve(at_end.size() * index(p) + 2);
     if (closed) std::rotate(points.begin(), points.begin() + 1, points.end());
     for (std::size_t k = 0; k < at_end.size(); ++k) {
       const bool is_end = k == 0 || k + 1 == at_end.size();
       const int times = closed ? (k + 1 == at_end.size() ? 1 : p) : is_end ? p + 1 : p;
-      knots.insert(knots.end(), at(times), at_end[k]);
+      knots.insert(knots.end(), index(times), at_end[k]);
     }
     const Edge &first = edges_[chain.front()], &last = edges_[chain.back()];
     Curve curve;
@@ -189,10 +185,10 @@ class Tracer {
 
   std::string name(const Edge& edge) const {
     if (edge.mark == none) {
-      const auto face = [&](FaceId f) { return mesh_.boundary.faces[at(f)].name; };
+      const auto face = [&](FaceId f) { return mesh_.boundary.faces[index(f)].name; };
       return edge.right == outside ? "boundary of " + face(edge.left) : face(edge.left) + " | " + face(edge.right);
     }
-    const Mark& mark = marks_[at(edge.mark)];
+    const Mark& mark = marks_[index(edge.mark)];
     if (mark.physical == 0) return "curve " + std::to_string(mark.entity);
     const auto named = file_.names.find({1, std::abs(mark.physical)});
     return named == file_.names.end() || named->second.empty() ? "physical curve " + std::to_string(mark.physical)

@@ -5,21 +5,17 @@
 
 #include "formats/msh/msh_mesh.h"
 #include "pliant/geometry/control_net.h"
+#include "pliant/geometry/index.h"
 
 namespace pliant {
 namespace {
-
-template <class I>
-std::size_t at(I i) {
-  return static_cast<std::size_t>(i);
-}
 
 constexpr std::int32_t taken = -2;   // a corner, inner point, or point of an edge that needs no looking for
 constexpr std::int32_t paired = -3;  // stands for an edge whose two triangles are known
 
 void count_clockwise(const MeshData& mesh, const PointId* net, std::size_t t, EdgeFindings& findings) {
-  const Point& a = mesh.points[at(net[0])];
-  if (cross(mesh.points[at(net[1])] - a, mesh.points[at(net[2])] - a) < 0 && findings.clockwise++ == 0)
+  const Point& a = mesh.points[index(net[0])];
+  if (cross(mesh.points[index(net[1])] - a, mesh.points[index(net[2])] - a) < 0 && findings.clockwise++ == 0)
     findings.first_clockwise = t;
 }
 
@@ -34,26 +30,26 @@ class EdgeWalk {
   template <int fixed_degree, bool convert>
   void run() {
     const int degree = fixed_degree > 0 ? fixed_degree : mesh_.degree;
-    const std::size_t size = at(net_size(degree));
+    const std::size_t size = index(net_size(degree));
     const std::size_t triangles = mesh_.triangle_faces.size();
     const PointId* net = mesh_.triangles.data();
     for (std::size_t t = 0; t < triangles; ++t, net += size) {
       if (t + ahead < triangles) fetch(net + ahead * size, 3 * degree);
       count_clockwise(mesh_, net, t, findings_);
-      for (int e = 0; e < 3; ++e) uses_[at(net[e])] = taken;
+      for (int e = 0; e < 3; ++e) uses_[index(net[e])] = taken;
       for (int e = 0; e < 3; ++e) {
         const PointId first = net[3 + e * (degree - 1)], last = net[3 + e * (degree - 1) + degree - 2];
         const PointId key = std::min(first, last);
-        const auto h = static_cast<HalfEdgeId>(3 * t + at(e));
-        if (uses_[at(key)] == unused_point) {
-          uses_[at(key)] = h;
+        const auto h = static_cast<HalfEdgeId>(3 * t + index(e));
+        if (uses_[index(key)] == unused_point) {
+          uses_[index(key)] = h;
           if constexpr (fixed_degree == 2 && convert)
             convert_middle(key, net[e], net[(e + 1) % 3]);
           else
             take_edge<convert>(net, e, degree);
-        } else if (uses_[at(key)] >= 0) {
-          pair(uses_[at(key)], h);
-          uses_[at(key)] = paired;
+        } else if (uses_[index(key)] >= 0) {
+          pair(uses_[index(key)], h);
+          uses_[index(key)] = paired;
         }
         // Not new in a broken mesh only: an edge that has its first point in common with others.
         if (fixed_degree != 2)
@@ -70,15 +66,15 @@ class EdgeWalk {
   static constexpr std::size_t ahead = 12;
   void fetch(const PointId* net, int count) const {
     for (int k = 0; k < count; ++k) {
-      __builtin_prefetch(&uses_[at(net[k])], 1);
-      __builtin_prefetch(&mesh_.points[at(net[k])], 1);
+      __builtin_prefetch(&uses_[index(net[k])], 1);
+      __builtin_prefetch(&mesh_.points[index(net[k])], 1);
     }
   }
 
   void convert_middle(PointId middle, PointId a, PointId b) {
-    Point& m = mesh_.points[at(middle)];
-    const Point& p = mesh_.points[at(a)];
-    const Point& q = mesh_.points[at(b)];
+    Point& m = mesh_.points[index(middle)];
+    const Point& p = mesh_.points[index(a)];
+    const Point& q = mesh_.points[index(b)];
     m = {2 * m.x - (p.x + q.x) / 2, 2 * m.y - (p.y + q.y) / 2};
   }
 
@@ -89,14 +85,15 @@ class EdgeWalk {
     const auto point = [&](int k) { return net[layout_.edge_index(e, forward ? k : degree - k)]; };
     std::array<double, 2 * (max_degree + 1)> polygon;
     if constexpr (convert) {
-      for (int k = 0; k <= degree; ++k) set(&polygon[at(2 * k)], mesh_.points[at(point(k))]);
+      for (int k = 0; k <= degree; ++k) set(&polygon[index(2 * k)], mesh_.points[index(point(k))]);
       interpolate_polygon(degree, 2, polygon);
     }
     if constexpr (convert)
-      for (int k = 1; k < degree; ++k) mesh_.points[at(point(k))] = {polygon[at(2 * k)], polygon[at(2 * k + 1)]};
+      for (int k = 1; k < degree; ++k)
+        mesh_.points[index(point(k))] = {polygon[index(2 * k)], polygon[index(2 * k + 1)]};
   }
   void mark(PointId p) {
-    if (uses_[at(p)] == unused_point) uses_[at(p)] = taken;
+    if (uses_[index(p)] == unused_point) uses_[index(p)] = taken;
   }
 
   template <bool convert>
@@ -104,14 +101,15 @@ class EdgeWalk {
     const int first = layout_.first_interior();
     bool is_new = true;
     for (int k = first; k < layout_.size(); ++k) {
-      is_new = is_new && uses_[at(net[k])] == unused_point;
-      uses_[at(net[k])] = taken;
+      is_new = is_new && uses_[index(net[k])] == unused_point;
+      uses_[index(net[k])] = taken;
     }
     if (!convert || !is_new) return;  // where two triangles share inner points the mesh is broken anyway
     std::array<double, 2 * net_size(max_degree)> values;
-    for (int k = 0; k < layout_.size(); ++k) set(&values[at(2 * k)], mesh_.points[at(net[k])]);
+    for (int k = 0; k < layout_.size(); ++k) set(&values[index(2 * k)], mesh_.points[index(net[k])]);
     interpolate_interior(degree, 2, values);
-    for (int k = first; k < layout_.size(); ++k) mesh_.points[at(net[k])] = {values[at(2 * k)], values[at(2 * k + 1)]};
+    for (int k = first; k < layout_.size(); ++k)
+      mesh_.points[index(net[k])] = {values[index(2 * k)], values[index(2 * k + 1)]};
   }
 
   static void set(double* to, const Point& p) {
@@ -120,7 +118,8 @@ class EdgeWalk {
   }
 
   void pair(HalfEdgeId h, HalfEdgeId g) {
-    const FaceId mine = mesh_.triangle_faces[at(triangle_of(h))], other = mesh_.triangle_faces[at(triangle_of(g))];
+    const FaceId mine = mesh_.triangle_faces[index(triangle_of(h))],
+                 other = mesh_.triangle_faces[index(triangle_of(g))];
     if (mine != other) findings_.open.push_back(mine < other ? OpenEdge{h, g} : OpenEdge{g, h});
   }
 
@@ -133,7 +132,7 @@ class EdgeWalk {
 /// Where a file has two edges between the same vertices, with other points inside: they are no boundary (but a fault,
 /// which the checker finds).
 void pair_by_ends(const MeshData& mesh, std::vector<OpenEdge>& edges) {
-  const std::size_t size = at(net_size(mesh.degree));
+  const std::size_t size = index(net_size(mesh.degree));
   struct Ends {
     PointId low, high;
     std::size_t edge;
@@ -142,7 +141,7 @@ void pair_by_ends(const MeshData& mesh, std::vector<OpenEdge>& edges) {
   for (std::size_t k = 0; k < edges.size(); ++k) {
     const HalfEdgeId h = edges[k].left;
     if (edges[k].right != none) continue;
-    const PointId* net = &mesh.triangles[at(triangle_of(h)) * size];
+    const PointId* net = &mesh.triangles[index(triangle_of(h)) * size];
     const auto [low, high] = std::minmax(net[edge_of(h)], net[(edge_of(h) + 1) % 3]);
     all.push_back({low, high, k});
   }
@@ -154,8 +153,8 @@ void pair_by_ends(const MeshData& mesh, std::vector<OpenEdge>& edges) {
     if (all[k].low != all[k - 1].low || all[k].high != all[k - 1].high) continue;
     OpenEdge& first = edges[all[k - 1].edge];
     const HalfEdgeId other = edges[all[k].edge].left;
-    const FaceId mine = mesh.triangle_faces[at(triangle_of(first.left))];
-    const FaceId its = mesh.triangle_faces[at(triangle_of(other))];
+    const FaceId mine = mesh.triangle_faces[index(triangle_of(first.left))];
+    const FaceId its = mesh.triangle_faces[index(triangle_of(other))];
     gone[all[k].edge] = 1;
     if (mine == its)
       gone[all[k - 1].edge] = 1;
@@ -178,19 +177,19 @@ void take_nets(MshFile& file, MeshData& mesh) {
   if (std::is_sorted(order.begin(), order.end())) return;
   std::vector<PointId> net(order.size());
   for (std::size_t first = 0; first < mesh.triangles.size(); first += order.size()) {
-    for (std::size_t k = 0; k < order.size(); ++k) net[at(order[k])] = mesh.triangles[first + k];
+    for (std::size_t k = 0; k < order.size(); ++k) net[index(order[k])] = mesh.triangles[first + k];
     std::copy(net.begin(), net.end(), mesh.triangles.begin() + static_cast<std::ptrdiff_t>(first));
   }
 }
 
 std::vector<HalfEdgeId> twins_by_vertices(const MeshData& mesh) {
-  const std::size_t size = at(net_size(mesh.degree)), half_edges = 3 * mesh.triangle_faces.size();
+  const std::size_t size = index(net_size(mesh.degree)), half_edges = 3 * mesh.triangle_faces.size();
   const auto ends = [&](std::size_t h) {
     const PointId* net = &mesh.triangles[h / 3 * size];
     return std::minmax({net[h % 3], net[(h + 1) % 3]});
   };
   std::vector<std::uint32_t> first(mesh.points.size() + 1, 0);
-  for (std::size_t h = 0; h < half_edges; ++h) ++first[at(ends(h).first) + 1];
+  for (std::size_t h = 0; h < half_edges; ++h) ++first[index(ends(h).first) + 1];
   std::partial_sum(first.begin(), first.end(), first.begin());
   struct Entry {
     PointId high;
@@ -200,7 +199,7 @@ std::vector<HalfEdgeId> twins_by_vertices(const MeshData& mesh) {
   std::vector<std::uint32_t> fill(first.begin(), first.end() - 1);
   for (std::size_t h = 0; h < half_edges; ++h) {
     const auto [low, high] = ends(h);
-    entries[fill[at(low)]++] = {high, static_cast<HalfEdgeId>(h)};
+    entries[fill[index(low)]++] = {high, static_cast<HalfEdgeId>(h)};
   }
   std::vector<HalfEdgeId> twins(half_edges, none);
   for (std::size_t v = 0; v + 1 < first.size(); ++v) {
@@ -212,10 +211,10 @@ std::vector<HalfEdgeId> twins_by_vertices(const MeshData& mesh) {
     for (auto entry = begin; entry != stop; ++entry) {
       const auto next = entry + 1;
       if (next == stop || next->high != entry->high) continue;
-      twins[at(entry->half_edge)] = next->half_edge;
-      twins[at(next->half_edge)] = entry->half_edge;
+      twins[index(entry->half_edge)] = next->half_edge;
+      twins[index(next->half_edge)] = entry->half_edge;
       for (; entry + 1 != stop && entry[1].high == next->high; ++entry)
-        if (entry >= next) twins[at(entry[1].half_edge)] = entry[1].half_edge;
+        if (entry >= next) twins[index(entry[1].half_edge)] = entry[1].half_edge;
     }
   }
   return twins;
@@ -233,17 +232,17 @@ EdgeFindings pair_edges(MeshData& mesh, bool convert) {
     pair_by_ends(mesh, findings.open);
     return findings;
   }
-  for (const PointId p : mesh.triangles) findings.uses[at(p)] = taken;
+  for (const PointId p : mesh.triangles) findings.uses[index(p)] = taken;
   for (std::size_t t = 0; t < mesh.triangle_faces.size(); ++t)
     count_clockwise(mesh, &mesh.triangles[3 * t], t, findings);
   const std::vector<HalfEdgeId> twins = twins_by_vertices(mesh);
   for (std::size_t k = 0; k < twins.size(); ++k) {
     const auto h = static_cast<HalfEdgeId>(k);
     const HalfEdgeId g = twins[k];
-    const FaceId mine = mesh.triangle_faces[at(triangle_of(h))];
+    const FaceId mine = mesh.triangle_faces[index(triangle_of(h))];
     if (g == none)
       findings.open.push_back({h, none});
-    else if (mine < mesh.triangle_faces[at(triangle_of(g))])
+    else if (mine < mesh.triangle_faces[index(triangle_of(g))])
       findings.open.push_back({h, g});
   }
   return findings;

@@ -5,14 +5,10 @@
 
 #include "formats/msh/msh_mesh.h"
 #include "pliant/geometry/control_net.h"
+#include "pliant/geometry/index.h"
 
 namespace pliant {
 namespace {
-
-template <class I>
-std::size_t at(I i) {
-  return static_cast<std::size_t>(i);
-}
 
 using Polygon = std::array<double, 2 * (max_degree + 1)>;
 using Net = std::array<double, 2 * net_size(max_degree)>;
@@ -29,7 +25,7 @@ class Elevation {
     mesh_.points = std::move(file_.nodes);
     size_t triangles = 0;
     for (const MshTriangles& block : file_.blocks) triangles += block.count;
-    mesh_.triangles.resize(triangles * at(layout_.size()));
+    mesh_.triangles.resize(triangles * index(layout_.size()));
     // The highest order first: its nodes are control points of the mesh, which the others look for.
     for (int order = degree_; order >= 1; --order) take_order(order);
     if (torn_ == 0) return {};
@@ -53,23 +49,23 @@ class Elevation {
     const PointId* nodes = file_.triangle_nodes.data();
     std::size_t t = 0;
     for (const MshTriangles& block : file_.blocks) {
-      const auto size = at(net_size(block.order));
+      const auto size = index(net_size(block.order));
       if (block.order != order) {
         nodes += block.count * size;
         t += block.count;
         continue;
       }
       for (std::size_t k = 0; k < block.count; ++k, ++t, nodes += size) {
-        for (std::size_t n = 0; n < size; ++n) net[at(places[n])] = nodes[n];
+        for (std::size_t n = 0; n < size; ++n) net[index(places[n])] = nodes[n];
         take_triangle(t, net.data(), low);
       }
     }
   }
 
   void take_triangle(std::size_t t, const PointId* net, const NetLayout& low) {
-    PointId* out = &mesh_.triangles[t * at(layout_.size())];
+    PointId* out = &mesh_.triangles[t * index(layout_.size())];
     Net values{};
-    for (int k = 0; k < low.size(); ++k) set(values.data(), k, nodes_[at(net[k])]);
+    for (int k = 0; k < low.size(); ++k) set(values.data(), k, nodes_[index(net[k])]);
     for (int e = 0; e < 3; ++e) {
       out[e] = net[e];
       take_edge(t, net, e, low, values, out);
@@ -78,7 +74,7 @@ class Elevation {
     if (low.degree() == degree_) {
       for (int k = low.first_interior(); k < low.size(); ++k) {
         out[k] = net[k];
-        mesh_.points[at(net[k])] = get(values.data(), k);
+        mesh_.points[index(net[k])] = get(values.data(), k);
       }
       return;
     }
@@ -99,7 +95,7 @@ class Elevation {
       return layout.edge_index(e, forward ? k : layout.degree() - k);
     };
     Polygon polygon{}, raised{};
-    for (int k = 0; k <= order; ++k) set(polygon.data(), k, nodes_[at(net[place(low, k)])]);
+    for (int k = 0; k <= order; ++k) set(polygon.data(), k, nodes_[index(net[place(low, k)])]);
     interpolate_polygon(order, 2, polygon);
     for (int k = 1; k < order; ++k) set(values.data(), place(low, k), get(polygon.data(), k));
     for (int p = order; p < degree_; ++p) {
@@ -107,39 +103,39 @@ class Elevation {
       polygon = raised;
     }
     Curve curve{{}, t};
-    for (int k = 1; k < degree_; ++k) curve.inner[at(k)] = order == degree_ ? net[place(low, k)] : none;
+    for (int k = 1; k < degree_; ++k) curve.inner[index(k)] = order == degree_ ? net[place(low, k)] : none;
     curve = find_or_add({std::min(a, b), std::max(a, b)}, curve, polygon);
-    for (int k = 1; k < degree_; ++k) out[place(layout_, k)] = curve.inner[at(k)];
+    for (int k = 1; k < degree_; ++k) out[place(layout_, k)] = curve.inner[index(k)];
   }
 
   /// The curve between these vertices with these control points: one that is known, or else a new one. Points of a new
   /// one that are not of the file are added.
   Curve find_or_add(const std::pair<PointId, PointId>& ends, Curve curve, const Polygon& polygon) {
-    const std::uint64_t key = at(ends.first) << 32 | at(ends.second);
+    const std::uint64_t key = index(ends.first) << 32 | index(ends.second);
     const auto [first, last] = curves_.equal_range(key);
     for (auto known = first; known != last; ++known) {
       bool same = true;
       for (int k = 1; k < degree_ && same; ++k) {
-        const PointId p = known->second.inner[at(k)];
-        same = curve.inner[at(k)] != none ? p == curve.inner[at(k)]
-                                          : distance(mesh_.points[at(p)], get(polygon.data(), k)) <= tolerance_;
+        const PointId p = known->second.inner[index(k)];
+        same = curve.inner[index(k)] != none ? p == curve.inner[index(k)]
+                                             : distance(mesh_.points[index(p)], get(polygon.data(), k)) <= tolerance_;
       }
       if (same) return known->second;
     }
     if (first != last && torn_++ == 0) torn_triangles_ = {first->second.triangle, curve.triangle};
     for (int k = 1; k < degree_; ++k) {
-      PointId& p = curve.inner[at(k)];
+      PointId& p = curve.inner[index(k)];
       if (p == none)
         p = add_point(get(polygon.data(), k));
       else
-        mesh_.points[at(p)] = get(polygon.data(), k);
+        mesh_.points[index(p)] = get(polygon.data(), k);
     }
     curves_.emplace(key, curve);
     return curve;
   }
 
   PointId add_point(const Point& p) {
-    if (mesh_.points.size() >= at(std::numeric_limits<PointId>::max()))
+    if (mesh_.points.size() >= index(std::numeric_limits<PointId>::max()))
       throw InputError("", "raised to one order, the mesh has more points than can be numbered");
     mesh_.points.push_back(p);
     return static_cast<PointId>(mesh_.points.size() - 1);

@@ -2,22 +2,16 @@
 #include <algorithm>
 
 #include "formats/msh/msh_mesh.h"
+#include "pliant/geometry/index.h"
 #include "pliant/geometry/net_layout.h"
 
 namespace pliant {
-namespace {
-
-template <class I>
-std::size_t at(I i) {
-  return static_cast<std::size_t>(i);
-}
-
-}  // namespace
+namespace {}  // namespace
 
 std::size_t orient_triangles(MeshData& mesh) {
   const NetLayout& layout = NetLayout::of(mesh.degree);
-  const std::size_t size = at(layout.size()), triangles = mesh.triangle_faces.size();
-  const auto corner = [&](std::size_t t, int c) { return mesh.triangles[t * size + at(c % 3)]; };
+  const std::size_t size = index(layout.size()), triangles = mesh.triangle_faces.size();
+  const auto corner = [&](std::size_t t, int c) { return mesh.triangles[t * size + index(c % 3)]; };
   const std::vector<HalfEdgeId> twins = twins_by_vertices(mesh);
 
   // +1 or -1 relative to the first triangle of the part; a tangled triangle among others that go round the same way
@@ -32,14 +26,14 @@ std::size_t orient_triangles(MeshData& mesh) {
     double area = 0;
     for (std::size_t done = 0; done < part.size(); ++done) {
       const std::size_t t = part[done];
-      const Point a = mesh.points[at(corner(t, 0))];
-      area += sense[t] * cross(mesh.points[at(corner(t, 1))] - a, mesh.points[at(corner(t, 2))] - a);
+      const Point a = mesh.points[index(corner(t, 0))];
+      area += sense[t] * cross(mesh.points[index(corner(t, 1))] - a, mesh.points[index(corner(t, 2))] - a);
       for (int e = 0; e < 3; ++e) {
-        const HalfEdgeId g = twins[3 * t + at(e)];
-        if (g == none || sense[at(triangle_of(g))] != 0) continue;
-        const bool opposite = corner(at(triangle_of(g)), edge_of(g)) == corner(t, e + 1);
-        sense[at(triangle_of(g))] = static_cast<signed char>(opposite ? sense[t] : -sense[t]);
-        part.push_back(at(triangle_of(g)));
+        const HalfEdgeId g = twins[3 * t + index(e)];
+        if (g == none || sense[index(triangle_of(g))] != 0) continue;
+        const bool opposite = corner(index(triangle_of(g)), edge_of(g)) == corner(t, e + 1);
+        sense[index(triangle_of(g))] = static_cast<signed char>(opposite ? sense[t] : -sense[t]);
+        part.push_back(index(triangle_of(g)));
       }
     }
     for (const std::size_t t : part) {
@@ -48,7 +42,7 @@ std::size_t orient_triangles(MeshData& mesh) {
       std::vector<PointId> net(size);
       for (int k = 0; k < layout.size(); ++k) {
         const auto& exponents = layout.exponents(k);
-        net[at(layout.index(exponents[0], exponents[2]))] = mesh.triangles[t * size + at(k)];
+        net[index(layout.index(exponents[0], exponents[2]))] = mesh.triangles[t * size + index(k)];
       }
       std::copy(net.begin(), net.end(), mesh.triangles.begin() + static_cast<std::ptrdiff_t>(t * size));
     }

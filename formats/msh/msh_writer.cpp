@@ -10,15 +10,11 @@
 #include "formats/msh/msh_rows.h"
 #include "formats/picture/mesh_edges.h"
 #include "pliant/geometry/control_net.h"
+#include "pliant/geometry/index.h"
 #include "pliant/geometry/net_layout.h"
 
 namespace pliant {
 namespace {
-
-template <class I>
-std::size_t at(I i) {
-  return static_cast<std::size_t>(i);
-}
 
 int type_of(MshElementType::Family family, int order) {
   int type = 1;
@@ -84,25 +80,26 @@ class Writer {
     std::vector<int> bounds;          ///< tags of its boundary, signed
   };
 
-  const PointId* net(std::int32_t t) const { return &mesh_.triangles[at(t) * at(layout_.size())]; }
+  const PointId* net(std::int32_t t) const { return &mesh_.triangles[index(t) * index(layout_.size())]; }
 
   /// The value of each triangle at the lattice; of an edge's inner nodes by the edge alone, once.
   void place_nodes() {
     const int p = mesh_.degree;
     nodes_ = mesh_.points;
-    std::vector<Point> points(at(layout_.size()));
+    std::vector<Point> points(index(layout_.size()));
     for (const MeshEdge& edge : find_edges(mesh_).edges) {
-      for (std::size_t k = 0; k <= at(p); ++k) points[k] = mesh_.points[at(edge.points[k])];
+      for (std::size_t k = 0; k <= index(p); ++k) points[k] = mesh_.points[index(edge.points[k])];
       for (int k = 1; k < p; ++k)
-        evaluate_polygon(p, 2, {&points[0].x, 2 * at(p + 1)}, double(k) / p, {&nodes_[at(edge.points[at(k)])].x, 2});
+        evaluate_polygon(p, 2, {&points[0].x, 2 * index(p + 1)}, double(k) / p,
+                         {&nodes_[index(edge.points[index(k)])].x, 2});
     }
     for (std::size_t t = 0; t < mesh_.triangle_faces.size() && p > 2; ++t) {
       const PointId* own = net(static_cast<std::int32_t>(t));
-      for (std::size_t k = 0; k < points.size(); ++k) points[k] = mesh_.points[at(own[k])];
+      for (std::size_t k = 0; k < points.size(); ++k) points[k] = mesh_.points[index(own[k])];
       for (int k = layout_.first_interior(); k < layout_.size(); ++k) {
         const auto& [i, j, l] = layout_.exponents(k);
         evaluate_net(p, 2, {&points[0].x, 2 * points.size()}, {double(i) / p, double(j) / p, double(l) / p},
-                     {&nodes_[at(own[k])].x, 2});
+                     {&nodes_[index(own[k])].x, 2});
       }
     }
   }
@@ -115,18 +112,18 @@ class Writer {
     for (auto* entities : {&points_, &curves_, &faces_})
       for (std::size_t k = 0; k < entities->size(); ++k) (*entities)[k].tag = static_cast<int>(k) + 1;
     for (std::size_t e = 0; e < mesh_.constrained_edges.size(); ++e)
-      curves_[at(mesh_.constrained_edges[e].curve)].parts.push_back(static_cast<std::int32_t>(e));
+      curves_[index(mesh_.constrained_edges[e].curve)].parts.push_back(static_cast<std::int32_t>(e));
     for (std::size_t c = 0; c < curves_.size(); ++c) {
       std::sort(curves_[c].parts.begin(), curves_[c].parts.end(), [&](std::int32_t a, std::int32_t b) {
-        return mesh_.constrained_edges[at(a)].span < mesh_.constrained_edges[at(b)].span;
+        return mesh_.constrained_edges[index(a)].span < mesh_.constrained_edges[index(b)].span;
       });
       const Curve& curve = boundary.curves[c];
       if (curve.start != no_vertex) curves_[c].bounds = {curve.start + 1, curve.end + 1};
-      if (curve.left != outside) faces_[at(curve.left)].bounds.push_back(curves_[c].tag);
-      if (curve.right != outside) faces_[at(curve.right)].bounds.push_back(-curves_[c].tag);
+      if (curve.left != outside) faces_[index(curve.left)].bounds.push_back(curves_[c].tag);
+      if (curve.right != outside) faces_[index(curve.right)].bounds.push_back(-curves_[c].tag);
     }
     for (std::size_t t = 0; t < mesh_.triangle_faces.size(); ++t)
-      faces_[at(mesh_.triangle_faces[t])].parts.push_back(static_cast<std::int32_t>(t));
+      faces_[index(mesh_.triangle_faces[t])].parts.push_back(static_cast<std::int32_t>(t));
   }
 
   /// Each node belongs to the entity of the lowest dimension that it lies on.
@@ -134,16 +131,18 @@ class Writer {
     std::vector<Entity*> owners(nodes_.size(), nullptr);
     for (Entity& face : faces_)
       for (const std::int32_t t : face.parts)
-        for (int k = 0; k < layout_.size(); ++k) owners[at(net(t)[k])] = &face;
+        for (int k = 0; k < layout_.size(); ++k) owners[index(net(t)[k])] = &face;
     for (Entity& curve : curves_) {
       if (curve.parts.empty()) continue;
       for (const std::int32_t e : curve.parts)
-        for (const PointId p : mesh_.constrained_edges[at(e)].points) owners[at(p)] = &curve;
+        for (const PointId p : mesh_.constrained_edges[index(e)].points) owners[index(p)] = &curve;
     }
     for (const Entity& curve : curves_) {
       if (curve.parts.empty() || curve.bounds.empty()) continue;
-      owners[at(mesh_.constrained_edges[at(curve.parts.front())].points.front())] = &points_[at(curve.bounds[0] - 1)];
-      owners[at(mesh_.constrained_edges[at(curve.parts.back())].points.back())] = &points_[at(curve.bounds[1] - 1)];
+      owners[index(mesh_.constrained_edges[index(curve.parts.front())].points.front())] =
+          &points_[index(curve.bounds[0] - 1)];
+      owners[index(mesh_.constrained_edges[index(curve.parts.back())].points.back())] =
+          &points_[index(curve.bounds[1] - 1)];
     }
     for (std::size_t p = 0; p < owners.size(); ++p)
       if (owners[p]) owners[p]->nodes.push_back(static_cast<PointId>(p));
@@ -159,11 +158,11 @@ class Writer {
   void name_groups() {
     for (Entity& face : faces_) {
       face.group = face.tag;
-      names_[{2, face.group}] = mesh_.boundary.faces[at(face.tag - 1)].name;
+      names_[{2, face.group}] = mesh_.boundary.faces[index(face.tag - 1)].name;
     }
     std::map<std::string, std::int32_t> known;
     for (Entity& curve : curves_) {
-      const std::string& name = mesh_.boundary.curves[at(curve.tag - 1)].name;
+      const std::string& name = mesh_.boundary.curves[index(curve.tag - 1)].name;
       if (name.empty()) continue;
       curve.group = known.emplace(name, static_cast<std::int32_t>(known.size()) + 1).first->second;
       names_[{1, curve.group}] = name;
@@ -184,9 +183,9 @@ class Writer {
     Box box;
     for (const std::int32_t part : entity.parts) {
       if (dimension == 1)
-        for (const PointId p : mesh_.constrained_edges[at(part)].points) box.extend(nodes_[at(p)]);
+        for (const PointId p : mesh_.constrained_edges[index(part)].points) box.extend(nodes_[index(p)]);
       else
-        for (int k = 0; k < layout_.size(); ++k) box.extend(nodes_[at(net(part)[k])]);
+        for (int k = 0; k < layout_.size(); ++k) box.extend(nodes_[index(net(part)[k])]);
     }
     return box;
   }
@@ -195,7 +194,7 @@ class Writer {
     rows_.line("$Entities");
     rows_.size(points_.size()).size(curves_.size()).size(faces_.size()).size(0).end_row();
     for (const Entity& point : points_) {
-      rows_.put(point.tag).put(nodes_[at(point.nodes.front())]).size(0);
+      rows_.put(point.tag).put(nodes_[index(point.nodes.front())]).size(0);
       rows_.end_row();
     }
     for (const int dimension : {1, 2})
@@ -229,14 +228,14 @@ class Writer {
         greatest = std::max(greatest, entity.nodes.back());
       }
     rows_.line("$Nodes");
-    rows_.size(blocks).size(used_nodes()).size(at(least) + 1).size(at(greatest) + 1).end_row();
+    rows_.size(blocks).size(used_nodes()).size(index(least) + 1).size(index(greatest) + 1).end_row();
     std::int32_t dimension = 0;
     for (const auto* entities : {&points_, &curves_, &faces_}) {
       for (const Entity& entity : *entities) {
         if (entity.nodes.empty()) continue;
         rows_.put(dimension).put(entity.tag).put(std::int32_t{0}).size(entity.nodes.size()).end_row();
-        for (const PointId p : entity.nodes) rows_.size(at(p) + 1).end_row();
-        for (const PointId p : entity.nodes) rows_.put(nodes_[at(p)]).end_row();
+        for (const PointId p : entity.nodes) rows_.size(index(p) + 1).end_row();
+        for (const PointId p : entity.nodes) rows_.put(nodes_[index(p)]).end_row();
       }
       ++dimension;
     }
@@ -250,7 +249,7 @@ class Writer {
     std::sort(used.begin(), used.end());
     rows_.line("$Nodes");
     rows_.line(std::to_string(used.size()));
-    for (const PointId p : used) rows_.put(p + 1).put(nodes_[at(p)]).end_row();
+    for (const PointId p : used) rows_.put(p + 1).put(nodes_[index(p)]).end_row();
     rows_.end_section("Nodes");
   }
 
@@ -265,7 +264,7 @@ class Writer {
   }
   std::size_t element_count() const { return mesh_.constrained_edges.size() + mesh_.triangle_faces.size(); }
   std::size_t element_tag(int dimension, std::int32_t part) const {
-    return 1 + at(part) + (dimension == 1 ? mesh_.triangle_faces.size() : 0);
+    return 1 + index(part) + (dimension == 1 ? mesh_.triangle_faces.size() : 0);
   }
 
   /// Calls put(tag) for each node of a line or triangle in Gmsh's order.
@@ -275,7 +274,7 @@ class Writer {
       for (const int k : order_) put(net(part)[k] + 1);
       return;
     }
-    const std::vector<PointId>& points = mesh_.constrained_edges[at(part)].points;
+    const std::vector<PointId>& points = mesh_.constrained_edges[index(part)].points;
     put(points.front() + 1);
     put(points.back() + 1);
     for (std::size_t k = 1; k + 1 < points.size(); ++k) put(points[k] + 1);
@@ -290,7 +289,7 @@ class Writer {
       rows_.put(dimension).put(entity.tag).put(type).size(entity.parts.size()).end_row();
       for (const std::int32_t part : entity.parts) {
         rows_.size(element_tag(dimension, part));
-        each_node(dimension, part, [&](PointId tag) { rows_.size(at(tag)); });
+        each_node(dimension, part, [&](PointId tag) { rows_.size(index(tag)); });
         rows_.end_row();
       }
     });

@@ -78,14 +78,14 @@ void flip(benchmark::State& state) {
   const RefitOptions options{static_cast<Projection>(state.range(0))};
   std::vector<HalfEdgeId> edges;
   for (const HalfEdgeId h : inner_edges(mesh)) {
-    if (flip_edge(mesh, h, options) != Refusal::done) continue;
+    if (flip_edge(mesh, h, options) != Outcome::done) continue;
     flip_edge(mesh, h, options);
     edges.push_back(h);
   }
   std::int64_t done = 0;
   for (auto _ : state)
     for (const HalfEdgeId h : edges)
-      for (int turn = 0; turn < 2; ++turn) done += flip_edge(mesh, h, options) == Refusal::done;
+      for (int turn = 0; turn < 2; ++turn) done += flip_edge(mesh, h, options) == Outcome::done;
   per_item(state, done);
 }
 
@@ -96,7 +96,7 @@ void insert(benchmark::State& state) {
     Mesh mesh = sample();
     const TriangleId count = mesh.triangle_slots();
     state.ResumeTiming();
-    for (TriangleId t = 0; t < count; ++t) done += insert_point(mesh, t, {0.3, 0.45, 0.25}).refusal == Refusal::done;
+    for (TriangleId t = 0; t < count; ++t) done += insert_point(mesh, t, {0.3, 0.45, 0.25}).outcome == Outcome::done;
   }
   per_item(state, done);
 }
@@ -109,7 +109,7 @@ void split(benchmark::State& state) {
     state.PauseTiming();
     Mesh mesh = sample();
     state.ResumeTiming();
-    for (std::size_t k = 0; k < edges.size(); k += 4) done += split_edge(mesh, edges[k], 0.4).refusal == Refusal::done;
+    for (std::size_t k = 0; k < edges.size(); k += 4) done += split_edge(mesh, edges[k], 0.4).outcome == Outcome::done;
   }
   per_item(state, done);
 }
@@ -123,7 +123,7 @@ void split_on_curve(benchmark::State& state) {
     state.PauseTiming();
     Mesh mesh = sample();
     state.ResumeTiming();
-    for (const HalfEdgeId h : edges) done += split_edge(mesh, h, 0.4).refusal == Refusal::done;
+    for (const HalfEdgeId h : edges) done += split_edge(mesh, h, 0.4).outcome == Outcome::done;
   }
   per_item(state, done);
 }
@@ -140,7 +140,7 @@ void remove_inserted(benchmark::State& state) {
     Mesh mesh = inserted;
     state.ResumeTiming();
     for (const PointId v : vertices)
-      if (v != none) done += remove_inner_vertex(mesh, v) == Refusal::done;
+      if (v != none) done += remove_inner_vertex(mesh, v) == Outcome::done;
   }
   per_item(state, done);
 }
@@ -153,7 +153,7 @@ void remove_any(benchmark::State& state) {
     Mesh mesh = sample();
     state.ResumeTiming();
     for (PointId v = 0, count = 0; v < sample().point_slots(); ++v)
-      if (sample().is_vertex(v) && ++count % 8 == 0) done += remove_inner_vertex(mesh, v) == Refusal::done;
+      if (sample().is_vertex(v) && ++count % 8 == 0) done += remove_inner_vertex(mesh, v) == Outcome::done;
   }
   per_item(state, done);
 }

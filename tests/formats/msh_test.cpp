@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 
 #include "formats/document/mesh_json.h"
+#include "pliant/geometry/index.h"
 #include "pliant/mesh/check_mesh.h"
 #include "support/sample_meshes.h"
 #include "tests/formats/msh_sample.h"
@@ -12,11 +13,6 @@ using namespace pliant;
 using namespace pliant::samples;
 
 namespace {
-
-template <class I>
-std::size_t at(I i) {
-  return static_cast<std::size_t>(i);
-}
 
 std::string as_json(const MeshData& mesh) {
   std::string text;
@@ -167,7 +163,7 @@ TEST_CASE("triangles of mixed orders are raised to the highest, and share what i
   CHECK(check_structure(import.mesh).empty());
   CHECK(warns(import, "orders from 1 to 2"));
   CHECK(import.mesh.points.size() == 9);
-  for (const PointId p : import.mesh.triangles) CHECK(std::fmod(4 * import.mesh.points[at(p)].x, 2) == 0);
+  for (const PointId p : import.mesh.triangles) CHECK(std::fmod(4 * import.mesh.points[index(p)].x, 2) == 0);
 
   // The diagonal bends in one triangle only: two curves between the same vertices.
   sample.nodes[8].x = 0.6;
@@ -188,9 +184,9 @@ TEST_CASE("triangles of mixed orders are raised to the highest, and share what i
     if (element.type != 9 || element.tag % 2 == 0) continue;
     std::vector<std::int64_t> nodes(element.nodes.begin(), element.nodes.begin() + 3);
     std::vector<double> values;
-    const std::size_t t = at(element.tag - 1000);
+    const std::size_t t = index(element.tag - 1000);
     for (std::size_t k = 0; k < 6; ++k) {
-      const Point& p = low.points[at(low.triangles[6 * t + k])];
+      const Point& p = low.points[index(low.triangles[6 * t + k])];
       values.insert(values.end(), {p.x, p.y});
     }
     for (const auto& [i, j] : msh_triangle_nodes(3)) {
@@ -219,7 +215,7 @@ TEST_CASE("clockwise triangles are counted, and turned on request, but not tangl
     const std::vector<std::int64_t> old = element.nodes;
     for (std::size_t k = 0; k < nodes.size(); ++k) {
       const std::array<int, 2> mirror{nodes[k][0], degree - nodes[k][0] - nodes[k][1]};
-      element.nodes[at(std::find(nodes.begin(), nodes.end(), mirror) - nodes.begin())] = old[k];
+      element.nodes[index(std::find(nodes.begin(), nodes.end(), mirror) - nodes.begin())] = old[k];
     }
   }
   const MshImport as_is = read(sample);

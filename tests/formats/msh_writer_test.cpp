@@ -10,6 +10,7 @@
 #include "formats/document/mesh_json.h"
 #include "formats/msh/msh.h"
 #include "pliant/generate/mesh_from_boundary.h"
+#include "pliant/geometry/index.h"
 #include "pliant/mesh/check_mesh.h"
 #include "support/sample_boundaries.h"
 #include "support/sample_meshes.h"
@@ -21,11 +22,6 @@ namespace {
 using Version = MshWriteOptions::Version;
 const std::vector<MshWriteOptions> kinds = {
     {Version::v4_1, false}, {Version::v4_1, true}, {Version::v2_2, false}, {Version::v2_2, true}};
-
-template <class I>
-std::size_t at(I i) {
-  return static_cast<std::size_t>(i);
-}
 
 std::string written(const MeshData& mesh, const MshWriteOptions& options) {
   std::string text;
@@ -48,10 +44,10 @@ template <class TriangleNumber, class PointNumber>
 Named named(const MeshData& mesh, TriangleNumber&& triangle, PointNumber&& point) {
   Named result;
   for (std::size_t t = 0; t < mesh.triangle_faces.size(); ++t)
-    result.faces[mesh.boundary.faces[at(mesh.triangle_faces[t])].name].insert(triangle(t));
+    result.faces[mesh.boundary.faces[index(mesh.triangle_faces[t])].name].insert(triangle(t));
   for (const ConstrainedEdge& edge : mesh.constrained_edges)
-    result.curves[mesh.boundary.curves[at(edge.curve)].name].insert(
-        std::minmax(point(at(edge.points.front())), point(at(edge.points.back()))));
+    result.curves[mesh.boundary.curves[index(edge.curve)].name].insert(
+        std::minmax(point(index(edge.points.front())), point(index(edge.points.back()))));
   return result;
 }
 
@@ -60,8 +56,8 @@ void check_same(const MeshData& mesh, const MshWriteOptions& options, double tol
   const MshImport import = read_msh(written(mesh, options));
   CHECK(import.warnings.empty());
   CHECK(check_structure(import.mesh).empty());
-  const auto point_before = [&](std::size_t p) { return at(import.nodes.tag_of(p) - 1); };
-  const auto triangle_before = [&](std::size_t t) { return at(import.elements.tag_of(t) - 1); };
+  const auto point_before = [&](std::size_t p) { return index(import.nodes.tag_of(p) - 1); };
+  const auto triangle_before = [&](std::size_t t) { return index(import.elements.tag_of(t) - 1); };
   REQUIRE(import.mesh.degree == mesh.degree);
   REQUIRE(import.mesh.points.size() == mesh.points.size());
   REQUIRE(import.mesh.triangle_faces.size() == mesh.triangle_faces.size());
@@ -71,14 +67,14 @@ void check_same(const MeshData& mesh, const MshWriteOptions& options, double tol
   for (std::size_t p = 0; p < mesh.points.size(); ++p)
     worst = std::max(worst, distance(import.mesh.points[p], mesh.points[point_before(p)]));
   CHECK(worst <= tolerance * box.size());
-  const std::size_t n = at(net_size(mesh.degree));
+  const std::size_t n = index(net_size(mesh.degree));
   bool same_nets = true;
   for (std::size_t t = 0; t < mesh.triangle_faces.size(); ++t)
     for (std::size_t k = 0; k < n; ++k)
-      same_nets = same_nets &&
-                  point_before(at(import.mesh.triangles[n * t + k])) == at(mesh.triangles[n * triangle_before(t) + k]);
+      same_nets = same_nets && point_before(index(import.mesh.triangles[n * t + k])) ==
+                                   index(mesh.triangles[n * triangle_before(t) + k]);
   CHECK(same_nets);
-  const auto itself = [](auto k) { return at(k); };
+  const auto itself = [](auto k) { return index(k); };
   const Named before = named(mesh, itself, itself), after = named(import.mesh, triangle_before, point_before);
   CHECK(before.faces == after.faces);
   CHECK(before.curves == after.curves);
@@ -121,8 +117,8 @@ TEST_CASE("straight elements on dyadic coordinates come back bit for bit", "[msh
   for (int k = 0; k < 5; ++k) {
     const auto [from, to, left, right] = sides[k];
     b.curves.push_back(samples::open_curve(b, k == 2 ? "between" : "wall", from, to,
-                                           {0.5 * (b.vertices[at(from)] + b.vertices[at(to)])}, left, right));
-    builder.data().constrained_edges.push_back({k, 0, builder.edge(v[at(from)], v[at(to)])});
+                                           {0.5 * (b.vertices[index(from)] + b.vertices[index(to)])}, left, right));
+    builder.data().constrained_edges.push_back({k, 0, builder.edge(v[index(from)], v[index(to)])});
   }
   REQUIRE(check_structure(builder.data()).empty());
   for (const MshWriteOptions& kind : kinds) {

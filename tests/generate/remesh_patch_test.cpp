@@ -7,6 +7,7 @@
 #include <set>
 
 #include "improve/tangled_meshes.h"
+#include "pliant/geometry/index.h"
 #include "pliant/mesh/star.h"
 #include "pliant/ops/refit/refit.h"
 
@@ -14,8 +15,6 @@ using namespace pliant;
 using namespace pliant::improve_meshes;
 
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// Some refined mesh with a linear field and noise.
 Mesh refined_mesh(const BoundaryComplex& boundary, int degree, int elements, bool by_face) {
@@ -61,7 +60,7 @@ Mesh tangled(Mesh mesh, std::uint64_t seed, int count, double reach) {
     for (const HalfEdgeId h : star.outgoing) {
       const TriangleId t = triangle_of(h);
       for (int i = 0; i < mesh.net_size(); ++i)
-        shares[mesh.net(t)[at(i)]] = double(mesh.layout().exponents(i)[at(edge_of(h))]) / mesh.degree();
+        shares[mesh.net(t)[index(i)]] = double(mesh.layout().exponents(i)[index(edge_of(h))]) / mesh.degree();
     }
     const double a = angle(random);
     for (const auto& [p, share] : shares)
@@ -74,18 +73,19 @@ using Sums = std::map<std::array<int, 3>, std::array<double, 2>>;
 /// The integral of each component, on each face if by face, and that of its absolute control values.
 Sums integrals(const Mesh& mesh) {
   Sums sums;
-  const std::size_t n = at(mesh.net_size());
+  const std::size_t n = index(mesh.net_size());
   std::vector<Point> net(n);
   std::vector<double> weights(n);
   for (TriangleId t = 0; t < mesh.triangle_slots(); ++t) {
     mesh.gather_points(t, net);
     integral_weights(mesh.degree(), net, weights);
     for (int field = 0; field < static_cast<int>(mesh.fields().size()); ++field)
-      for (int c = 0; c < mesh.fields()[at(field)].components; ++c) {
-        auto& sum = sums[{field, c, mesh.fields()[at(field)].by_face ? mesh.face(t) : -1}];
+      for (int c = 0; c < mesh.fields()[index(field)].components; ++c) {
+        auto& sum = sums[{field, c, mesh.fields()[index(field)].by_face ? mesh.face(t) : -1}];
         for (std::size_t k = 0; k < n; ++k) {
           const auto first = mesh.value_index(field, mesh.net(t)[k], mesh.face(t));
-          const double part = weights[k] * mesh.fields()[at(field)].values[static_cast<std::size_t>(first) + at(c)];
+          const double part =
+              weights[k] * mesh.fields()[index(field)].values[static_cast<std::size_t>(first) + index(c)];
           sum[0] += part;
           sum[1] += std::abs(part);
         }
@@ -96,7 +96,7 @@ Sums integrals(const Mesh& mesh) {
 
 std::vector<double> areas(const Mesh& mesh) {
   std::vector<double> sums(mesh.boundary().faces.size(), 0);
-  for (TriangleId t = 0; t < mesh.triangle_slots(); ++t) sums[at(mesh.face(t))] += area_at(mesh, t);
+  for (TriangleId t = 0; t < mesh.triangle_slots(); ++t) sums[index(mesh.face(t))] += area_at(mesh, t);
   return sums;
 }
 
@@ -127,7 +127,7 @@ RemeshPatchCounts check_remeshing(const Mesh& was, Mesh* result = nullptr) {
   const std::vector<double> before = areas(was), after = areas(mesh);
   for (std::size_t f = 0; f < before.size(); ++f) CHECK(after[f] == Approx(before[f]).epsilon(1e-12));
   for (PointId p = 0; p < mesh.point_slots(); ++p)
-    REQUIRE(mesh.fields()[0].values[at(p)] == Approx(linear(mesh.point(p))).margin(1e-12 * (1 + mesh.size())));
+    REQUIRE(mesh.fields()[0].values[index(p)] == Approx(linear(mesh.point(p))).margin(1e-12 * (1 + mesh.size())));
   const Sums sums = integrals(was), now = integrals(mesh);
   for (const auto& [key, sum] : sums) {
     CAPTURE(key[0], key[1], key[2]);
@@ -213,7 +213,7 @@ TEST_CASE("values stay within their range where regions are meshed anew, and smo
     double low = 1, high = -1;
     for (const double v : was.fields()[2].values) low = std::min(low, v), high = std::max(high, v);
     for (PointId p = 0; p < mesh.point_slots(); ++p) {
-      const double v = mesh.fields()[2].values[at(p)];
+      const double v = mesh.fields()[2].values[index(p)];
       CHECK(v >= low - 1e-12);
       CHECK(v <= high + 1e-12);
       CHECK(v == Approx(smooth(mesh.point(p))).margin(0.1));
@@ -231,7 +231,7 @@ TEST_CASE("where curves cross, the elements stay as they are and are counted", "
   for (Point& p : data.points) p = shift(p);
   for (Curve& curve : data.boundary.curves)
     for (int i = 0; i < static_cast<int>(curve.spline.points().size()); ++i)
-      curve.spline.set_point(i, shift(curve.spline.points()[at(i)]));
+      curve.spline.set_point(i, shift(curve.spline.points()[index(i)]));
   const Mesh was(std::move(data));
   const InvalidElements invalid = find_invalid(was);
   REQUIRE_FALSE(invalid.empty());

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "pliant/geometry/bernstein.h"
+#include "pliant/geometry/index.h"
 #include "support/triangles.h"
 
 using namespace pliant;
@@ -13,27 +14,25 @@ using namespace pliant::samples;
 
 namespace {
 
-constexpr std::size_t at(int n) { return static_cast<std::size_t>(n); }
-
 std::vector<double> random_rows(int rows, int width, int seed) {
   Random random(seed);
-  std::vector<double> values(at(rows * width));
+  std::vector<double> values(index(rows * width));
   for (double& x : values) x = random.real(-1, 1);
   return values;
 }
 
 /// By the definition sum B_m c_m.
 std::vector<double> by_basis(int degree, int width, const std::vector<double>& net, const Barycentric& xi) {
-  std::vector<double> basis(at(net_size(degree)));
+  std::vector<double> basis(index(net_size(degree)));
   bernstein_basis(degree, xi, basis);
-  std::vector<double> value(at(width), 0.0);
+  std::vector<double> value(index(width), 0.0);
   for (std::size_t n = 0; n < basis.size(); ++n)
-    for (std::size_t x = 0; x < at(width); ++x) value[x] += basis[n] * net[n * at(width) + x];
+    for (std::size_t x = 0; x < index(width); ++x) value[x] += basis[n] * net[n * index(width) + x];
   return value;
 }
 
 std::vector<double> value_at(int degree, int width, std::span<const double> net, const Barycentric& xi) {
-  std::vector<double> value(at(width));
+  std::vector<double> value(index(width));
   evaluate_net(degree, width, net, xi, value);
   return value;
 }
@@ -76,7 +75,7 @@ TEST_CASE("partial derivatives are those of the differentiated Bernstein form", 
   const int degree = GENERATE(range(0, max_degree + 1));
   CAPTURE(degree);
   const auto net = random_rows(net_size(degree), 1, degree);
-  std::vector<double> d2(at(degree > 0 ? net_size(degree - 1) : 1), 0.0);
+  std::vector<double> d2(index(degree > 0 ? net_size(degree - 1) : 1), 0.0);
   std::vector<double> d3(d2.size(), 0.0);
   if (degree > 0) differentiate_triangle(degree, net, d2, d3);
   const int lower = degree > 0 ? degree - 1 : 0;
@@ -114,8 +113,8 @@ TEST_CASE("a sub-net on the corners themselves is the net, permuted, bit for bit
     sub_net(degree, 2, net, corners[q[0]], corners[q[1]], corners[q[2]], piece);
     for (int n = 0; n < layout.size(); ++n) {
       std::array<int, 3> from{};
-      for (std::size_t m = 0; m < 3; ++m) from[at(q[m])] = layout.exponents(n)[m];
-      for (int x = 0; x < 2; ++x) CHECK(piece[at(2 * n + x)] == net[at(2 * layout.index(from[0], from[1]) + x)]);
+      for (std::size_t m = 0; m < 3; ++m) from[index(q[m])] = layout.exponents(n)[m];
+      for (int x = 0; x < 2; ++x) CHECK(piece[index(2 * n + x)] == net[index(2 * layout.index(from[0], from[1]) + x)]);
     }
   }
 }
@@ -129,7 +128,7 @@ TEST_CASE("an insertion keeps the three outer edges bit for bit", "[geometry]") 
     sub_net(degree, 3, net, corners[e], corners[(e + 1) % 3], {0.3, 0.2, 0.5}, piece);
     for (int k = 0; k <= degree; ++k)
       for (int x = 0; x < 3; ++x)
-        CHECK(piece[at(3 * layout.edge_index(0, k) + x)] == net[at(3 * layout.edge_index(e, k) + x)]);
+        CHECK(piece[index(3 * layout.edge_index(0, k) + x)] == net[index(3 * layout.edge_index(e, k) + x)]);
   }
 }
 
@@ -140,7 +139,7 @@ TEST_CASE("splitting at a point of an edge splits the edge's polygon, to the sam
   const auto net = random_rows(net_size(degree), 2, degree);
   std::vector<double> edge;
   for (int k = 0; k <= degree; ++k)
-    for (int x = 0; x < 2; ++x) edge.push_back(net[at(2 * layout.edge_index(0, k) + x)]);
+    for (int x = 0; x < 2; ++x) edge.push_back(net[index(2 * layout.edge_index(0, k) + x)]);
   std::vector<double> left(edge.size()), right(edge.size()), first(net.size()), second(net.size());
   split_polygon(degree, 2, edge, s, left, right);
   const Barycentric middle{1 - s, s, 0};
@@ -148,8 +147,8 @@ TEST_CASE("splitting at a point of an edge splits the edge's polygon, to the sam
   sub_net(degree, 2, net, middle, corners[1], corners[2], second);
   for (int k = 0; k <= degree; ++k) {
     for (int x = 0; x < 2; ++x) {
-      CHECK(first[at(2 * layout.edge_index(0, k) + x)] == left[at(2 * k + x)]);
-      CHECK(second[at(2 * layout.edge_index(0, k) + x)] == right[at(2 * k + x)]);
+      CHECK(first[index(2 * layout.edge_index(0, k) + x)] == left[index(2 * k + x)]);
+      CHECK(second[index(2 * layout.edge_index(0, k) + x)] == right[index(2 * k + x)]);
     }
   }
 }
@@ -162,8 +161,8 @@ TEST_CASE("the pieces of a split polygon trace the curve and meet", "[geometry][
   split_polygon(degree, 3, polygon, s, left, right);
   for (std::size_t x = 0; x < 3; ++x) {
     CHECK(left[x] == polygon[x]);
-    CHECK(right[at(degree * 3) + x] == polygon[at(degree * 3) + x]);
-    CHECK(left[at(degree * 3) + x] == right[x]);
+    CHECK(right[index(degree * 3) + x] == polygon[index(degree * 3) + x]);
+    CHECK(left[index(degree * 3) + x] == right[x]);
   }
   for (double t = 0; t <= 1; t += 0.125) {
     evaluate_polygon(degree, 3, polygon, s * t, expected);
@@ -179,7 +178,7 @@ TEST_CASE("degree elevation changes no value and no corner", "[geometry][propert
   const int degree = GENERATE(range(0, max_degree));
   CAPTURE(degree);
   const auto net = random_rows(net_size(degree), 2, degree);
-  std::vector<double> higher(at(2 * net_size(degree + 1)));
+  std::vector<double> higher(index(2 * net_size(degree + 1)));
   elevate_net(degree, 2, net, higher);
   for (const Barycentric& xi : lattice(6))
     check_close(value_at(degree + 1, 2, higher, xi), value_at(degree, 2, net, xi), 1e-13);
@@ -187,7 +186,7 @@ TEST_CASE("degree elevation changes no value and no corner", "[geometry][propert
     for (std::size_t x = 0; x < 6; ++x) CHECK(higher[x] == net[x]);
 
   const auto polygon = random_rows(degree + 1, 2, degree);
-  std::vector<double> longer(at(2 * (degree + 2))), expected(2), value(2);
+  std::vector<double> longer(index(2 * (degree + 2))), expected(2), value(2);
   elevate_polygon(degree, 2, polygon, longer);
   for (double s = 0; s <= 1; s += 0.125) {
     evaluate_polygon(degree, 2, polygon, s, expected);
@@ -202,12 +201,12 @@ TEST_CASE("interpolation gives back the polynomial whose values it was given", "
   const auto polygon = random_rows(degree + 1, 3, degree);
   std::vector<double> values(polygon.size());
   for (int k = 0; k <= degree; ++k)
-    evaluate_polygon(degree, 3, polygon, static_cast<double>(k) / degree, std::span(values).subspan(at(3 * k), 3));
+    evaluate_polygon(degree, 3, polygon, static_cast<double>(k) / degree, std::span(values).subspan(index(3 * k), 3));
   interpolate_polygon(degree, 3, values);
   check_close(values, polygon, 1e-14 * std::pow(4.0, degree));
   for (std::size_t x = 0; x < 3; ++x) {
     CHECK(values[x] == polygon[x]);
-    CHECK(values[at(3 * degree) + x] == polygon[at(3 * degree) + x]);
+    CHECK(values[index(3 * degree) + x] == polygon[index(3 * degree) + x]);
   }
 
   const NetLayout& layout = NetLayout::of(degree);
@@ -217,11 +216,11 @@ TEST_CASE("interpolation gives back the polynomial whose values it was given", "
     const auto [i, j, k] = layout.exponents(n);
     const double p = degree;
     const Barycentric node{i / p, j / p, k / p};
-    evaluate_net(degree, 2, net, node, std::span(mixed).subspan(at(2 * n), 2));
+    evaluate_net(degree, 2, net, node, std::span(mixed).subspan(index(2 * n), 2));
   }
   interpolate_interior(degree, 2, mixed);
   check_close(mixed, net, 1e-13 * std::pow(4.0, degree));
-  for (int n = 0; n < 2 * layout.first_interior(); ++n) CHECK(mixed[at(n)] == net[at(n)]);
+  for (int n = 0; n < 2 * layout.first_interior(); ++n) CHECK(mixed[index(n)] == net[index(n)]);
 }
 
 TEST_CASE("interpolating a straight element far from the origin keeps it straight to rounding", "[geometry]") {

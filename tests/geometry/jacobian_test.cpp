@@ -7,6 +7,7 @@
 
 #include "pliant/geometry/bernstein.h"
 #include "pliant/geometry/control_net.h"
+#include "pliant/geometry/index.h"
 #include "support/triangles.h"
 
 using namespace pliant;
@@ -15,10 +16,9 @@ using namespace pliant::samples;
 namespace {
 
 using Rational = boost::multiprecision::cpp_rational;
-constexpr std::size_t at(int n) { return static_cast<std::size_t>(n); }
 
 std::vector<double> jacobian_of(int degree, const std::vector<Point>& net) {
-  std::vector<double> result(at(net_size(jacobian_degree(degree))));
+  std::vector<double> result(index(net_size(jacobian_degree(degree))));
   jacobian_net(degree, net, result);
   return result;
 }
@@ -43,8 +43,8 @@ Rational exact_jacobian(int degree, const std::vector<Point>& net, int i, int j,
         if (d == c) term *= e;
         for (int f = 0; f < (d == c ? e - 1 : e); ++f) term *= xi[d];
       }
-      slope[c][0] += term * Rational(net[at(m)].x);
-      slope[c][1] += term * Rational(net[at(m)].y);
+      slope[c][0] += term * Rational(net[index(m)].x);
+      slope[c][1] += term * Rational(net[index(m)].y);
     }
   }
   return (slope[1][0] - slope[0][0]) * (slope[2][1] - slope[0][1]) -
@@ -97,10 +97,10 @@ TEST_CASE("the area of an element is what Green's theorem says of its edges", "[
   const NetLayout& layout = NetLayout::of(degree);
   double area = 0;  // half the integral of x dy - y dx
   for (int e = 0; e < 3; ++e) {
-    std::vector<double> x, y, dx(at(degree)), dy(at(degree)), first(at(2 * degree)), second(at(2 * degree));
+    std::vector<double> x, y, dx(index(degree)), dy(index(degree)), first(index(2 * degree)), second(index(2 * degree));
     for (int k = 0; k <= degree; ++k) {
-      x.push_back(net[at(layout.edge_index(e, k))].x - net[0].x);
-      y.push_back(net[at(layout.edge_index(e, k))].y - net[0].y);
+      x.push_back(net[index(layout.edge_index(e, k))].x - net[0].x);
+      y.push_back(net[index(layout.edge_index(e, k))].y - net[0].y);
     }
     differentiate_segment(degree, x, dx);
     differentiate_segment(degree, y, dy);
@@ -132,8 +132,8 @@ TEST_CASE("turning the order of the corners turns the sign, rotating it does not
   std::vector<Point> mirrored(net.size()), rotated(net.size());
   for (int n = 0; n < layout.size(); ++n) {
     const auto [i, j, k] = layout.exponents(n);
-    mirrored[at(n)] = net[at(layout.index(j, i))];
-    rotated[at(n)] = net[at(layout.index(j, k))];
+    mirrored[index(n)] = net[index(layout.index(j, i))];
+    rotated[index(n)] = net[index(layout.index(j, k))];
   }
   CHECK(element_area(degree, mirrored) == Approx(-element_area(degree, net)).epsilon(1e-13));
   CHECK(element_area(degree, rotated) == Approx(element_area(degree, net)).epsilon(1e-13));

@@ -227,7 +227,7 @@ TEST_CASE("a zero at a cusp's corner alone is forgiven there, and told apart fro
     const auto power = [&](const Gauss& tilt) {  // as tilted_power, with its root at the corner
       return in_doubles(net_of(degree, t, [&](const std::vector<Gauss>& u) -> std::array<std::int64_t, 2> {
         Gauss product(degree, 0), sum(0, 0);
-        for (const Gauss& z : u) product *= z - t[at(corner)], sum += std::conj(z);
+        for (const Gauss& z : u) product *= z - t[index(corner)], sum += std::conj(z);
         product += tilt * sum;
         return {product.real(), product.imag()};
       }));
@@ -244,7 +244,7 @@ TEST_CASE("a zero at a cusp's corner alone is forgiven there, and told apart fro
     using Forms = std::array<std::int64_t, 2>;
     std::array<Forms, 3> forms;
     for (Forms& f : forms) f = {draw.integer(1, 5), draw.integer(-5, 5)};
-    forms[at(corner)][0] = 0;
+    forms[index(corner)][0] = 0;
     const std::int64_t area = (forms[1][0] - forms[0][0]) * (forms[2][1] - forms[0][1]) -
                               (forms[1][1] - forms[0][1]) * (forms[2][0] - forms[0][0]);
     const int q = draw.integer(1, degree - 1);
@@ -269,8 +269,8 @@ TEST_CASE("forgiving a corner changes nothing but a zero there", "[geometry][ora
     IntegerNet net = random_net(degree, draw);
     if (draw.one_in(2))  // the edges at corner 0 leave it in one direction
       for (std::size_t c = 0; c < 2; ++c)
-        net[at(layout.edge_index(2, degree - 1))][c] =
-            net[0][c] + draw.integer(1, 2) * (net[at(layout.edge_index(0, 1))][c] - net[0][c]);
+        net[index(layout.edge_index(2, degree - 1))][c] =
+            net[0][c] + draw.integer(1, 2) * (net[index(layout.edge_index(0, 1))][c] - net[0][c]);
     const auto points = in_doubles(net);
     const Validity strict = certify(degree, points);
     const Validity forgiving = certify_cusp(degree, points, 0);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 
+#include "pliant/geometry/index.h"
 #include "pliant/geometry/validity/exact_validity.h"
 #include "pliant/geometry/validity/jacobian.h"
 #include "support/exact_jacobian.h"
@@ -14,8 +15,6 @@ using namespace pliant;
 using namespace pliant::samples;
 
 namespace {
-
-constexpr std::size_t at(int n) { return static_cast<std::size_t>(n); }
 
 std::vector<Point> scaled(std::vector<Point> net, double factor) {
   for (Point& p : net) p *= factor;
@@ -28,7 +27,7 @@ std::vector<Point> rotated(int degree, const std::vector<Point>& net) {
   std::vector<Point> result(net.size());
   for (int n = 0; n < layout.size(); ++n) {
     const auto [i, j, k] = layout.exponents(n);
-    result[at(n)] = net[at(layout.index(j, k))];
+    result[index(n)] = net[index(layout.index(j, k))];
   }
   return result;
 }
@@ -191,7 +190,7 @@ TEST_CASE("an element collapsed to a segment or a point is degenerate", "[geomet
   for (int degree = 1; degree <= 5; ++degree) {
     CAPTURE(degree);
     CHECK(certify(degree, straight_net(degree, {0, 0}, {4, 8}, {1, 2})) == Validity::degenerate);
-    CHECK(certify(degree, std::vector<Point>(at(net_size(degree)), Point{0.1, 0.3})) == Validity::degenerate);
+    CHECK(certify(degree, std::vector<Point>(index(net_size(degree)), Point{0.1, 0.3})) == Validity::degenerate);
   }
 }
 
@@ -231,10 +230,10 @@ TEST_CASE("cusps of higher degree are certified", "[geometry]") {
   for (int n = 0; n < 10; ++n) {
     const auto [i, j, k] = layout.exponents(n);
     Point sum;
-    if (i > 0) sum += i * low[at(NetLayout::of(2).index(i - 1, j))];
-    if (j > 0) sum += j * low[at(NetLayout::of(2).index(i, j - 1))];
-    if (k > 0) sum += k * low[at(NetLayout::of(2).index(i, j))];
-    net[at(n)] = {sum.x / 3, sum.y / 3};
+    if (i > 0) sum += i * low[index(NetLayout::of(2).index(i - 1, j))];
+    if (j > 0) sum += j * low[index(NetLayout::of(2).index(i, j - 1))];
+    if (k > 0) sum += k * low[index(NetLayout::of(2).index(i, j))];
+    net[index(n)] = {sum.x / 3, sum.y / 3};
   }
   CHECK(certify(3, net) == Validity::degenerate);
   CHECK(certify_cusp(3, net, 0) == Validity::valid);

@@ -136,7 +136,7 @@ TEST_CASE("each refusal is listed with the middle of an edge that still wants it
           report.refused_at, [&](const auto& refusal) { return distance(refusal.place, points[0]) < 1e-12; });
       REQUIRE(listed_at != report.refused_at.end());
       Mesh copy = mesh;
-      CHECK((flip_edge(copy, h) != Refusal::done || listed_at->reason == describe(Refusal::would_bend)));
+      CHECK((flip_edge(copy, h) != Outcome::done || listed_at->reason == describe(Outcome::would_bend)));
     }
     for (const auto& [reason, place] : report.refused_at) refused.emplace_back(place.x, place.y);
     std::ranges::sort(wanted);
@@ -209,7 +209,7 @@ TEST_CASE("cocircular grids come to an end, and no edge is left whose circle con
   int flips = 0;
   for (int k = 0; k < 600; ++k)
     flips += flip_edge(mesh, static_cast<HalfEdgeId>(random() % static_cast<unsigned>(3 * mesh.triangle_slots()))) ==
-             Refusal::done;
+             Outcome::done;
   REQUIRE(flips > 50);
   REQUIRE(count_not_delaunay(mesh) > 5);
   if (is_bent) lay_nearly_straight(mesh, 0.03, random);

@@ -80,7 +80,7 @@ inline Mesh nearly_straight(int degree, double bend, std::uint64_t seed) {
   for (int k = 0; k < 300; ++k) {
     const auto h = static_cast<HalfEdgeId>(random() % static_cast<unsigned>(3 * mesh.triangle_slots()));
     Mesh flipped = mesh;
-    if (flip_edge(flipped, h) == Refusal::done && thickness(flipped, triangle_of(h)) > thin &&
+    if (flip_edge(flipped, h) == Outcome::done && thickness(flipped, triangle_of(h)) > thin &&
         thickness(flipped, triangle_of(flipped.twin(h))) > thin)
       mesh = std::move(flipped);
   }

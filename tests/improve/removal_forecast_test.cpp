@@ -131,7 +131,7 @@ TEST_CASE("a vertex of the boundary without a curve stays a mesh vertex", "[impr
   options.tolerance = 0.01;
   CHECK(value_of(coarsen(mesh, options), "removals") > 0);
   CHECK(mesh.point(vertex_there(mesh)) == place);
-  CHECK(remove_inner_vertex(mesh, vertex_there(mesh)) == Refusal::constrained);
+  CHECK(remove_inner_vertex(mesh, vertex_there(mesh)) == Outcome::constrained);
   CHECK(check_structure(mesh.to_data()).empty());
 
   AdvectOptions step;

@@ -108,7 +108,7 @@ TEST_CASE("levelling one element makes det J more even around it, or leaves the 
     for (TriangleId t = 0; t < mesh.triangle_slots(); ++t) {
       const auto before = jacobians_around(mesh, t);
       const MeshData old = mesh.to_data();
-      if (level_jacobian(mesh, t) == Refusal::done) {
+      if (level_jacobian(mesh, t) == Outcome::done) {
         ++done;
         CHECK(unevenness(jacobians_around(mesh, t), before) <= unevenness(before, before) * (1 + 1e-9) + 1e-20);
         CHECK(find_invalid(mesh).empty());

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "improve/improve_meshes.h"
+#include "pliant/geometry/index.h"
 #include "pliant/improve/global/deformation_energy.h"
 #include "pliant/improve/refine.h"
 #include "pliant/mesh/star.h"
@@ -14,8 +15,6 @@ using namespace pliant;
 using namespace pliant::improve_meshes;
 
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 Mesh refined(const Sample& sample, int degree, int elements) {
   Mesh mesh = mesh_of(sample.boundary, degree);
@@ -27,10 +26,10 @@ Mesh refined(const Sample& sample, int degree, int elements) {
 
 /// Which points lie on curves.
 std::vector<char> on_curves(const Mesh& mesh) {
-  std::vector<char> on(at(mesh.point_slots()), 0);
+  std::vector<char> on(index(mesh.point_slots()), 0);
   for (HalfEdgeId h = 0; h < 3 * mesh.triangle_slots(); ++h)
     if (mesh.is_constrained(h))
-      for (int k = 0; k <= mesh.degree(); ++k) on[at(mesh.edge_point(h, k))] = 1;
+      for (int k = 0; k <= mesh.degree(); ++k) on[index(mesh.edge_point(h, k))] = 1;
   return on;
 }
 
@@ -40,8 +39,8 @@ MeshData swirled(const Mesh& mesh, double strength) {
   const std::vector<char> fixed = on_curves(mesh);
   const double step = std::sqrt(area_of(mesh) / mesh.triangle_count()), wave = 1.3 / step;
   for (PointId p = 0; p < mesh.point_slots(); ++p) {
-    if (fixed[at(p)] || mesh.is_vertex(p)) continue;
-    Point& x = data.points[at(p)];
+    if (fixed[index(p)] || mesh.is_vertex(p)) continue;
+    Point& x = data.points[index(p)];
     x += strength * step *
          Vector{-std::cos(wave * x.x) * std::sin(wave * x.y), std::sin(wave * x.x) * std::cos(wave * x.y)};
   }
@@ -53,7 +52,7 @@ struct Scaled {
 };
 Scaled scaled_jacobians(const Mesh& mesh) {
   Scaled all;
-  std::vector<Point> net(at(mesh.net_size()));
+  std::vector<Point> net(index(mesh.net_size()));
   for (TriangleId t = 0; t < mesh.triangle_slots(); ++t) {
     mesh.gather_points(t, net);
     const double value = scaled_jacobian(mesh.degree(), net);
@@ -67,7 +66,7 @@ Scaled scaled_jacobians(const Mesh& mesh) {
 long moved_on_curves(const Mesh& before, const Mesh& after) {
   long moved = 0;
   const std::vector<char> fixed = on_curves(before);
-  for (PointId p = 0; p < before.point_slots(); ++p) moved += fixed[at(p)] && !(before.point(p) == after.point(p));
+  for (PointId p = 0; p < before.point_slots(); ++p) moved += fixed[index(p)] && !(before.point(p) == after.point(p));
   return moved;
 }
 
@@ -99,7 +98,7 @@ TEST_CASE("the deformation energy is 0 for turned copies of the wanted triangle 
     net.push_back(Point{5, 7} + size * Vector{0.6 * d.x - 0.8 * d.y, 0.8 * d.x + 0.6 * d.y});
     if (k != 1) moving.push_back(static_cast<std::int8_t>(k));
   }
-  std::vector<double> r(at(energy.residual_count())), jacobian(r.size() * 2 * moving.size());
+  std::vector<double> r(index(energy.residual_count())), jacobian(r.size() * 2 * moving.size());
   REQUIRE(energy.evaluate(net, target, r, moving, nullptr));
   if (smoothing == 0) CHECK(half_square_sum(r) < 1e-28);
 
@@ -113,7 +112,7 @@ TEST_CASE("the deformation energy is 0 for turned copies of the wanted triangle 
   double worst = 0;
   for (std::size_t m = 0; m < moving.size(); ++m)
     for (int c = 0; c < 2; ++c) {
-      Point& p = net[at(moving[m])];
+      Point& p = net[index(moving[m])];
       double& x = c ? p.y : p.x;
       const double old = x;
       x = old + step;
@@ -122,8 +121,8 @@ TEST_CASE("the deformation energy is 0 for turned copies of the wanted triangle 
       REQUIRE(energy.evaluate(net, target, below, moving, nullptr));
       x = old;
       for (std::size_t k = 0; k < r.size(); ++k)
-        worst = std::max(worst,
-                         std::abs((above[k] - below[k]) / (2 * step) - jacobian[(k * moving.size() + m) * 2 + at(c)]));
+        worst = std::max(
+            worst, std::abs((above[k] - below[k]) / (2 * step) - jacobian[(k * moving.size() + m) * 2 + index(c)]));
     }
   CHECK(worst < 1e-7);
 }
@@ -131,7 +130,7 @@ TEST_CASE("the deformation energy is 0 for turned copies of the wanted triangle 
 TEST_CASE("without smoothing the energy of a tangled element is infinite, with it finite", "[improve]") {
   const DeformationEnergy& energy = DeformationEnergy::of(2, DeformationEnergy::Nodes::few);
   const std::vector<Point> net{{0, 0}, {2, 0}, {0, 2}, {-1, 0}, {1, 1}, {0, 1}};
-  std::vector<double> r(at(energy.residual_count()));
+  std::vector<double> r(index(energy.residual_count()));
   DeformationEnergy::Target target;
   CHECK_FALSE(energy.evaluate(net, target, r, {}, nullptr));
   target.smoothing = 0.1;
@@ -199,7 +198,7 @@ TEST_CASE("elements beyond the rings around poor ones are left as they are", "[i
   HalfEdgeId bent = 0;  // an inner edge near the lower left corner
   while (straight.twin(bent) == none || straight.point(straight.origin(bent)).x > 2) ++bent;
   const PointId moved = straight.edge_point(bent, 1);
-  data.points[at(moved)] += Vector{0.2, 0.15};
+  data.points[index(moved)] += Vector{0.2, 0.15};
   Mesh mesh(data);
   GlobalSmoothOptions options;
   options.rings = 1;
@@ -220,9 +219,9 @@ TEST_CASE("inverted straight triangles are mended where vertices may move, and t
   std::uniform_real_distribution<double> uniform(-1, 1);
   const std::vector<char> fixed = on_curves(first);
   for (PointId p = 0; p < first.point_slots(); ++p)
-    if (first.is_vertex(p) && !fixed[at(p)] && random() % 4 == 0) {
+    if (first.is_vertex(p) && !fixed[index(p)] && random() % 4 == 0) {
       const Vector d{uniform(random), uniform(random)};
-      data.points[at(p)] += (1.2 / length(d)) * d;
+      data.points[index(p)] += (1.2 / length(d)) * d;
     }
   Mesh mesh(data);
   const Mesh tangled = mesh;
@@ -240,7 +239,7 @@ TEST_CASE("what cannot be untangled is named, and nothing else becomes invalid",
   MeshData data = first.to_data();
   const std::vector<char> fixed = on_curves(first);
   for (PointId p = 0; p < first.point_slots(); ++p)
-    if (!fixed[at(p)] && p % 7 == 0) data.points[at(p)] += Vector{1.3, 0.2};
+    if (!fixed[index(p)] && p % 7 == 0) data.points[index(p)] += Vector{1.3, 0.2};
   Mesh mesh(data);
   const std::vector<TriangleId> invalid = find_invalid(mesh).invalid;
   REQUIRE_FALSE(invalid.empty());

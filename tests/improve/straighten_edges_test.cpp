@@ -44,7 +44,7 @@ TEST_CASE("inner edges are straight afterwards, or cannot be without making an e
       if (bend(mesh, h) <= 1e-13 * mesh.size()) continue;
       ++curved;
       Mesh copy = mesh;
-      CHECK(straighten_edge(copy, h, 0) != Refusal::done);
+      CHECK(straighten_edge(copy, h, 0) != Outcome::done);
     }
     CHECK(curved == counts.left);
     // Nothing is left to do.

@@ -12,6 +12,7 @@
 
 #include "pliant/generate/mesh_from_boundary.h"
 #include "pliant/geometry/control_net.h"
+#include "pliant/geometry/index.h"
 #include "pliant/geometry/invert_map.h"
 #include "pliant/geometry/predicates.h"
 #include "pliant/improve/refine.h"
@@ -27,10 +28,8 @@ using samples::Random;
 
 namespace {
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
 Point image(const Mesh& mesh, TriangleId t, const Barycentric& xi) {
-  std::vector<Point> net(at(mesh.net_size()));
+  std::vector<Point> net(index(mesh.net_size()));
   mesh.gather_points(t, net);
   Point value;
   evaluate_net(mesh.degree(), 2, {&net[0].x, 2 * net.size()}, xi, {&value.x, 2});
@@ -79,23 +78,24 @@ Mesh meshed(const BoundaryComplex& boundary, int degree, double area = 0) {
 
 /// Moves inner control points, vertices too, at random as long as all elements stay valid: as curved as can be.
 void shake(Mesh& mesh, int moves, int seed) {
-  std::vector<std::vector<TriangleId>> users(at(mesh.point_slots()));
-  std::vector<bool> is_fixed(at(mesh.point_slots()));
+  std::vector<std::vector<TriangleId>> users(index(mesh.point_slots()));
+  std::vector<bool> is_fixed(index(mesh.point_slots()));
   for (TriangleId t = 0; t < mesh.triangle_slots(); ++t) {
-    for (const PointId p : mesh.net(t)) users[at(p)].push_back(t);
+    for (const PointId p : mesh.net(t)) users[index(p)].push_back(t);
     for (int e = 0; e < 3; ++e)
       for (int k = 0; k <= mesh.degree() && mesh.twin(half_edge(t, e)) == none; ++k)
-        is_fixed[at(mesh.edge_point(half_edge(t, e), k))] = true;
+        is_fixed[index(mesh.edge_point(half_edge(t, e), k))] = true;
   }
   Random random(seed);
   for (int move = 0; move < moves; ++move) {
     const PointId p = random.integer(0, mesh.point_slots() - 1);
-    if (is_fixed[at(p)]) continue;
+    if (is_fixed[index(p)]) continue;
     const Point before = mesh.point(p);
-    const TriangleId first = users[at(p)].front();
+    const TriangleId first = users[index(p)].front();
     const double length = distance(mesh.point(mesh.corner(first, 0)), mesh.point(mesh.corner(first, 1)));
     mesh.set_point(p, before + length * random.point(-0.6, 0.6));
-    if (!std::ranges::all_of(users[at(p)], [&](TriangleId t) { return certify_element(mesh, t) == Validity::valid; }))
+    if (!std::ranges::all_of(users[index(p)],
+                             [&](TriangleId t) { return certify_element(mesh, t) == Validity::valid; }))
       mesh.set_point(p, before);
   }
 }
@@ -123,7 +123,7 @@ class OuterPolygon {
  public:
   explicit OuterPolygon(const Mesh& mesh) {
     constexpr int parts = 64;
-    std::vector<Point> polygon(at(mesh.degree()) + 1);
+    std::vector<Point> polygon(index(mesh.degree()) + 1);
     for (HalfEdgeId h = 0; h < 3 * mesh.triangle_slots(); ++h) {
       if (mesh.twin(h) != none) continue;
       mesh.gather_edge_points(h, polygon);
@@ -165,7 +165,7 @@ class OuterPolygon {
 /// All elements that contain p, one by one.
 std::vector<TriangleId> containing(const Mesh& mesh, const Point& p) {
   std::vector<TriangleId> found;
-  std::vector<Point> net(at(mesh.net_size()));
+  std::vector<Point> net(index(mesh.net_size()));
   for (TriangleId t = 0; t < mesh.triangle_slots(); ++t) {
     if (!mesh.is_alive(t)) continue;
     mesh.gather_points(t, net);
@@ -226,8 +226,8 @@ TEST_CASE("points on edges and vertices, or next to them, are found in the least
       const TriangleId t = random.integer(0, mesh.triangle_slots() - 1);
       const int e = random.integer(0, 2);
       Barycentric xi{0, 0, 0};
-      xi[at(e)] = k % 3 == 0 ? 1 : random.real(0, 1);
-      xi[at((e + 1) % 3)] = 1 - xi[at(e)];
+      xi[index(e)] = k % 3 == 0 ? 1 : random.real(0, 1);
+      xi[index((e + 1) % 3)] = 1 - xi[index(e)];
       const Point on = image(mesh, t, xi);
       const bool is_inner = mesh.twin(half_edge(t, e)) != none && k % 3 != 0;
       for (const double off : {0.0, 1e-15, 1e-13, 1e-12}) {
@@ -267,7 +267,7 @@ TEST_CASE("inside and outside are what the outer boundary says", "[mesh][propert
       ++(found ? inside : beyond);
       if (k % 20 > 0) continue;
       const std::vector<TriangleId> all = containing(mesh, p);
-      CHECK(all.size() == at(*expected));
+      CHECK(all.size() == index(*expected));
       if (found) CHECK(all.front() == found->triangle);
     }
     CHECK(inside > 20);
@@ -286,8 +286,8 @@ TEST_CASE("a point just beyond the outer boundary is outside, just before it ins
       if (mesh.twin(h) != none) continue;
       const auto on_edge = [&](double s) {
         Barycentric xi{0, 0, 0};
-        xi[at(edge_of(h))] = 1 - s;
-        xi[at((edge_of(h) + 1) % 3)] = s;
+        xi[index(edge_of(h))] = 1 - s;
+        xi[index((edge_of(h) + 1) % 3)] = s;
         return image(mesh, triangle_of(h), xi);
       };
       const double s = random.real(0.1, 0.9);
@@ -450,7 +450,7 @@ TEST_CASE("free slots are no elements, and no hints", "[mesh]") {
   std::vector<PointId> added;
   for (TriangleId t = 0, count = mesh.triangle_slots(); t < count; ++t)
     added.push_back(insert_point(mesh, t, {0.3, 0.3, 0.4}).vertex);
-  for (const PointId v : added) REQUIRE(remove_inner_vertex(mesh, v) == Refusal::done);
+  for (const PointId v : added) REQUIRE(remove_inner_vertex(mesh, v) == Outcome::done);
   REQUIRE(mesh.triangle_count() < mesh.triangle_slots());
   Locator locator(mesh);
   for (TriangleId t = 0; t < mesh.triangle_slots(); ++t) {
@@ -471,8 +471,8 @@ TEST_CASE("points on and beside inner edges are found 1e9 widths from the origin
       if (mesh.twin(half_edge(t, e)) == none) continue;
       for (int k = 0; k <= 20; ++k) {
         Barycentric xi{};
-        xi[at(e)] = 0.05 + 0.045 * k;
-        xi[at((e + 1) % 3)] = 1 - xi[at(e)];
+        xi[index(e)] = 0.05 + 0.045 * k;
+        xi[index((e + 1) % 3)] = 1 - xi[index(e)];
         const Point p = image(mesh, t, xi);
         const auto found = locator.find(p, t);
         REQUIRE(found);
@@ -488,6 +488,6 @@ TEST_CASE("a mesh far from the origin has no faults, moved by more than its roun
   MeshData data = samples::disk(degree, 8, {offset, offset / 3});
   CHECK(check_structure(data).empty());
   const double unit = offset * 0x1p-52;
-  data.points[at(data.constrained_edges[0].points[0])].x += 64 * unit;
+  data.points[index(data.constrained_edges[0].points[0])].x += 64 * unit;
   if (64 * unit > 1e-11) CHECK_FALSE(check_structure(data).empty());
 }

@@ -33,24 +33,24 @@ TEST_CASE("operations that leave the curves alone allocate nothing in the steady
       InsertResult inserted;
       count(0, [&] {
         inserted = insert_point(mesh, triangle_of(h), {0.3, 0.45, 0.25});
-        return inserted.refusal == Refusal::done;
+        return inserted.outcome == Outcome::done;
       });
-      if (inserted.refusal == Refusal::done)
-        count(1, [&] { return remove_inner_vertex(mesh, inserted.vertex) == Refusal::done; });
+      if (inserted.outcome == Outcome::done)
+        count(1, [&] { return remove_inner_vertex(mesh, inserted.vertex) == Outcome::done; });
       if (!mesh.is_alive(triangle_of(h)) || mesh.is_constrained(h)) continue;
       count(2, [&] {
         inserted = split_edge(mesh, h, 0.375);
-        return inserted.refusal == Refusal::done;
+        return inserted.outcome == Outcome::done;
       });
-      if (inserted.refusal == Refusal::done)
-        count(1, [&] { return remove_inner_vertex(mesh, inserted.vertex) == Refusal::done; });
+      if (inserted.outcome == Outcome::done)
+        count(1, [&] { return remove_inner_vertex(mesh, inserted.vertex) == Outcome::done; });
     }
     for (HalfEdgeId h = 0; h < 3 * mesh.triangle_slots(); ++h) {
       if (!mesh.is_alive(triangle_of(h)) || mesh.is_constrained(h)) continue;
       // These change the mesh: taken back, so that every round meets the same one.
       Transaction undone(mesh);
-      count(3, [&] { return flip_edge(mesh, h) == Refusal::done; });
-      count(4, [&] { return remove_inner_vertex(mesh, mesh.origin(h)) == Refusal::done; });
+      count(3, [&] { return flip_edge(mesh, h) == Outcome::done; });
+      count(4, [&] { return remove_inner_vertex(mesh, mesh.origin(h)) == Outcome::done; });
     }
   }
   CAPTURE(done);

@@ -9,16 +9,16 @@ namespace {
 constexpr std::array names{"insert", "split", "flip", "remove", "remove on a curve", "smooth", "straighten", "level"};
 
 /// An operation of this kind at a place by chance, of those that keep the curves.
-Refusal operate(Mesh& mesh, std::size_t kind, std::mt19937_64& random, const RefitOptions& options) {
+Outcome operate(Mesh& mesh, std::size_t kind, std::mt19937_64& random, const RefitOptions& options) {
   TriangleId t;
   do t = static_cast<TriangleId>(random() % static_cast<unsigned>(mesh.triangle_slots()));
   while (!mesh.is_alive(t));
   const HalfEdgeId h = half_edge(t, static_cast<int>(random() % 3));
   switch (kind) {
     case 0:
-      return insert_point(mesh, t, {0.25, 0.4, 0.35}).refusal;
+      return insert_point(mesh, t, {0.25, 0.4, 0.35}).outcome;
     case 1:
-      return split_edge(mesh, h, 0.4).refusal;
+      return split_edge(mesh, h, 0.4).outcome;
     case 2:
       return flip_edge(mesh, h, options);
     case 3:
@@ -26,11 +26,11 @@ Refusal operate(Mesh& mesh, std::size_t kind, std::mt19937_64& random, const Ref
     case 4: {
       // Not the vertex of a split as it was: what is around it is flipped first, so that its fields are fitted.
       const HalfEdgeId on = mesh.is_constrained(h) ? h : mesh.is_constrained(next(h)) ? next(h) : none;
-      if (on == none) return Refusal::corner;
+      if (on == none) return Outcome::corner;
       const InsertResult inserted = split_edge(mesh, on, 0.5);
-      if (inserted.refusal != Refusal::done) return inserted.refusal;
+      if (inserted.outcome != Outcome::done) return inserted.outcome;
       flip_edge(mesh, next(on), options);
-      return remove_curve_vertex(mesh, inserted.vertex, {1e-12 * mesh.size()}, options).refusal;
+      return remove_curve_vertex(mesh, inserted.vertex, {1e-12 * mesh.size()}, options).outcome;
     }
     case 5:
       return smooth_edge(mesh, h, random() % 2 ? SmoothGoal::improve : SmoothGoal::untangle, options);
@@ -62,7 +62,7 @@ TEST_CASE("each operation that keeps the curves keeps areas, integrals and linea
     CAPTURE(k, names[kind]);
     const std::vector<double> before = kept_sums(mesh);
     const double linear = linear_error(mesh);
-    if (operate(mesh, kind, random, {projection}) != Refusal::done) continue;
+    if (operate(mesh, kind, random, {projection}) != Outcome::done) continue;
     ++done[kind];
     const std::vector<double> after = kept_sums(mesh);
     double largest = 1;  // of the values, and so of the integrals over the area

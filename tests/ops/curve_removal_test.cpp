@@ -49,7 +49,7 @@ Mesh with_many_knots(const Domain& domain, int degree) {
   std::uniform_real_distribution<double> uniform(0.3, 0.7);
   for (HalfEdgeId h = 0, n = 3 * mesh.triangle_slots(); h < n; ++h)
     if (mesh.is_constrained(h) && (mesh.twin(h) == none || mesh.twin(h) > h))
-      REQUIRE(split_edge(mesh, h, uniform(random)).refusal == Refusal::done);
+      REQUIRE(split_edge(mesh, h, uniform(random)).outcome == Outcome::done);
   return mesh;
 }
 
@@ -75,7 +75,7 @@ TEST_CASE(
       const double error_before = mesh.boundary().curves[static_cast<std::size_t>(curve)].removal_error;
       const CurveRemoval removal = remove_curve_vertex(mesh, v, {0.2, 0.1, keep_area});
       const Curve& now = mesh.boundary().curves[static_cast<std::size_t>(curve)];
-      if (removal.refusal != Refusal::done) {
+      if (removal.outcome != Outcome::done) {
         CHECK(now.removal_error == error_before);
         continue;
       }
@@ -116,7 +116,7 @@ TEST_CASE("what a removal costs does not grow with the curve, nor what keeps its
     if (!mesh.is_vertex(v)) continue;
     find_star(mesh, v, star);
     if (star.is_closed || star.outgoing.size() > 6) continue;
-    done += remove_curve_vertex(mesh, v, {1e-3, 1e-4, true}).refusal == Refusal::done;
+    done += remove_curve_vertex(mesh, v, {1e-3, 1e-4, true}).outcome == Outcome::done;
   }
   CHECK(done > 1000);
   CHECK(mesh.spline(0).area() == Approx(area).margin(1e-11));
@@ -138,7 +138,7 @@ TEST_CASE("where a removal changes the region linear functions are reproduced, o
   for (const PointId v : curve_vertices(mesh, random)) {
     const std::vector<double> before = kept_sums(mesh);
     const CurveRemoval removal = remove_curve_vertex(mesh, v, {0.3, 0.1}, options);
-    if (removal.refusal != Refusal::done) continue;
+    if (removal.outcome != Outcome::done) continue;
     const std::vector<double> after = kept_sums(mesh);
     double area = 0, integral = 0;
     for (std::size_t i = 0; i < after.size(); ++i)
@@ -178,7 +178,7 @@ TEST_CASE("a closed curve keeps three spans, and vertices where three curves mee
     if (!divided.is_vertex(v)) continue;
     const auto& corners = divided.boundary().vertices;
     if (std::find(corners.begin(), corners.end(), divided.point(v)) == corners.end()) continue;
-    CHECK(remove_curve_vertex(divided, v, {HUGE_VAL}).refusal == Refusal::corner);
-    CHECK(remove_inner_vertex(divided, v) == Refusal::constrained);
+    CHECK(remove_curve_vertex(divided, v, {HUGE_VAL}).outcome == Outcome::corner);
+    CHECK(remove_inner_vertex(divided, v) == Outcome::constrained);
   }
 }

@@ -4,6 +4,7 @@
 
 #include "ops/carried_domains.h"
 #include "pliant/generate/mesh_from_boundary.h"
+#include "pliant/geometry/index.h"
 #include "pliant/geometry/placement/optimal_placement.h"
 #include "pliant/geometry/predicates.h"
 #include "pliant/geometry/validity/validity.h"
@@ -13,8 +14,6 @@
 using namespace pliant;
 
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// The two elements after a flip of h, built here from the four outer edges alone.
 struct Flipped {
@@ -26,22 +25,22 @@ struct Flipped {
     const HalfEdgeId g = mesh.twin(h);
     const NetLayout& layout = mesh.layout();
     const Point c = mesh.point(mesh.apex(h)), d = mesh.point(mesh.apex(g));
-    for (auto& net : nets) net.assign(at(mesh.net_size()), 0.5 * (c + d));
+    for (auto& net : nets) net.assign(index(mesh.net_size()), 0.5 * (c + d));
     // First (d, c, a): edges dc, ca, ad; second (c, d, b): edges cd, db, bc.
     const std::array<std::array<HalfEdgeId, 2>, 2> outer{{{previous(h), next(g)}, {previous(g), next(h)}}};
     for (std::size_t side = 0; side < 2; ++side)
       for (int e = 1; e < 3; ++e)
         for (int k = 0; k <= degree; ++k)
-          nets[side][at(layout.edge_index(e, k))] = mesh.point(mesh.edge_point(outer[side][at(e - 1)], k));
+          nets[side][index(layout.edge_index(e, k))] = mesh.point(mesh.edge_point(outer[side][index(e - 1)], k));
     for (int k = 1; k < degree; ++k) free.push_back({layout.edge_index(0, k), layout.edge_index(0, degree - k)});
     for (int k = layout.first_interior(); k < mesh.net_size(); ++k) free.push_back({k, -1}), free.push_back({-1, k});
   }
   void place(const std::array<int, 2>& where, const Point& p) {
     for (std::size_t side = 0; side < 2; ++side)
-      if (where[side] >= 0) nets[side][at(where[side])] = p;
+      if (where[side] >= 0) nets[side][index(where[side])] = p;
   }
   Point point(const std::array<int, 2>& where) const {
-    return where[0] >= 0 ? nets[0][at(where[0])] : nets[1][at(where[1])];
+    return where[0] >= 0 ? nets[0][index(where[0])] : nets[1][index(where[1])];
   }
   bool is_valid() const {
     return certify(degree, nets[0]) == Validity::valid && certify(degree, nets[1]) == Validity::valid;
@@ -118,9 +117,9 @@ TEST_CASE("a flip of strongly curved elements succeeds wherever a search finds a
           continue;
         Transaction undone(bent);
         const Flipped pair(bent, h);
-        const Refusal refusal = flip_edge(bent, h);
-        if (refusal == Refusal::done) ++done;
-        if (refusal != Refusal::would_invert) continue;
+        const Outcome flipped = flip_edge(bent, h);
+        if (flipped == Outcome::done) ++done;
+        if (flipped != Outcome::would_invert) continue;
         (degree == 2 ? grid_finds(pair) : search_finds(pair, random)) ? ++missed : ++impossible;
       }
     }

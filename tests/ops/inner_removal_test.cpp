@@ -22,7 +22,7 @@ TEST_CASE("most inner vertices can be removed where elements are straight or onl
       ++inner;
       mesh = original;
       const int triangles = mesh.triangle_count();
-      if (remove_inner_vertex(mesh, v) != Refusal::done) continue;
+      if (remove_inner_vertex(mesh, v) != Outcome::done) continue;
       ++removed;
       highest = std::max(highest, star.degree());
       CHECK(mesh.triangle_count() == triangles - 2);

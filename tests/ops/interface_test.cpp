@@ -130,20 +130,20 @@ TEST_CASE("random operations on both sides of an interface, and on it, keep ever
       bool done = false;
       switch (random() % 8) {
         case 0:
-          others += done = grow && insert_point(mesh, t, {0.3, 0.45, 0.25}).refusal == Refusal::done;
+          others += done = grow && insert_point(mesh, t, {0.3, 0.45, 0.25}).outcome == Outcome::done;
           break;
         case 1: {
           const HalfEdgeId on = 3 * t;
           const HalfEdgeId edge = mesh.is_constrained(on) ? on : mesh.is_constrained(next(on)) ? next(on) : h;
-          splits += done = grow && split_edge(mesh, edge, uniform(random)).refusal == Refusal::done;
+          splits += done = grow && split_edge(mesh, edge, uniform(random)).outcome == Outcome::done;
           break;
         }
         case 2:
         case 3:
-          others += done = flip_edge(mesh, h) == Refusal::done;
+          others += done = flip_edge(mesh, h) == Outcome::done;
           break;
         case 4:
-          others += done = remove_inner_vertex(mesh, mesh.origin(h)) == Refusal::done;
+          others += done = remove_inner_vertex(mesh, mesh.origin(h)) == Outcome::done;
           break;
         case 5:
         case 6: {
@@ -151,11 +151,11 @@ TEST_CASE("random operations on both sides of an interface, and on it, keep ever
           find_star(mesh, mesh.origin(h), star);
           const CurveTolerance tolerance{HUGE_VAL, 0.03, random() % 2 == 0};
           if (is_on_curve(mesh, star))
-            removals += done = remove_curve_vertex(mesh, mesh.origin(h), tolerance).refusal == Refusal::done;
+            removals += done = remove_curve_vertex(mesh, mesh.origin(h), tolerance).outcome == Outcome::done;
           break;
         }
         default:
-          others += done = smooth_edge(mesh, h, SmoothGoal::improve) == Refusal::done;
+          others += done = smooth_edge(mesh, h, SmoothGoal::improve) == Outcome::done;
       }
       if (watch && !done) REQUIRE(same_document(before, mesh.to_data()));
     }
@@ -181,8 +181,8 @@ TEST_CASE("splits of an interface undone give back its fields, of either face", 
     if (!mesh.is_constrained(h)) continue;
     on_interface += mesh.twin(h) != none;
     const InsertResult inserted = split_edge(mesh, h, 0.375);
-    REQUIRE(inserted.refusal == Refusal::done);
-    REQUIRE(remove_curve_vertex(mesh, inserted.vertex, {1e-10}).refusal == Refusal::done);
+    REQUIRE(inserted.outcome == Outcome::done);
+    REQUIRE(remove_curve_vertex(mesh, inserted.vertex, {1e-10}).outcome == Outcome::done);
     mesh.compact();
   }
   CHECK(on_interface >= 20);
@@ -201,9 +201,9 @@ TEST_CASE("any break of a closed curve can be removed, the first one too, with o
   for (const PointId v : curve_vertices(whole, 0)) {
     Mesh mesh = whole;
     const CurveRemoval removal = remove_curve_vertex(mesh, v, {1.0, 1.0, keep_area});
-    CAPTURE(v, describe(removal.refusal));
+    CAPTURE(v, describe(removal.outcome));
     errors.push_back(removal.error);
-    if (removal.refusal != Refusal::done) continue;
+    if (removal.outcome != Outcome::done) continue;
     for (const Fault& fault : check_mesh(mesh)) FAIL_CHECK(fault.invariant << " " << fault.place << ": " << fault.text);
     if (keep_area) CHECK(mesh.spline(0).area() == Approx(area).epsilon(1e-8));
   }
@@ -224,8 +224,8 @@ TEST_CASE("operations go on at a cusp, whose corner is forgiven", "[ops]") {
   for (int round = 0; round < 3; ++round)
     for (HalfEdgeId h = 0; h < 3 * mesh.triangle_slots(); ++h) {
       if (!at_cusp(h)) continue;
-      splits += split_edge(mesh, h, 0.4).refusal == Refusal::done;
-      inserts += insert_point(mesh, triangle_of(h), {0.3, 0.4, 0.3}).refusal == Refusal::done;
+      splits += split_edge(mesh, h, 0.4).outcome == Outcome::done;
+      inserts += insert_point(mesh, triangle_of(h), {0.3, 0.4, 0.3}).outcome == Outcome::done;
       smooth_edge(mesh, next(h), SmoothGoal::improve);
       break;
     }

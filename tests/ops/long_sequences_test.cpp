@@ -75,7 +75,7 @@ TEST_CASE("the largest value of a noisy field does not grow over any number of f
   const int count = operation_count(degree);
   for (int k = 0; k < count; ++k) {
     const auto h = static_cast<HalfEdgeId>(random() % static_cast<unsigned>(3 * mesh.triangle_slots()));
-    if (flip_edge(mesh, h) != Refusal::done) continue;
+    if (flip_edge(mesh, h) != Outcome::done) continue;
     ++flips;
     most = std::max(most, largest(1));  // after every flip: a large value may be averaged away again
   }

@@ -26,7 +26,7 @@ TEST_CASE("inserting a point changes neither geometry nor fields", "[ops]") {
     Barycentric xi{uniform(random), uniform(random), uniform(random)};
     const double sum = xi[0] + xi[1] + xi[2];
     for (double& x : xi) x /= sum;
-    REQUIRE(insert_point(mesh, static_cast<TriangleId>(random() % 20), xi).refusal == Refusal::done);
+    REQUIRE(insert_point(mesh, static_cast<TriangleId>(random() % 20), xi).outcome == Outcome::done);
   }
   REQUIRE(check_mesh(mesh).empty());
   CHECK(difference_of_functions(before, mesh, 400) < 1e-12);
@@ -44,7 +44,7 @@ TEST_CASE("splitting any edge changes neither geometry nor fields nor the curves
   for (int k = 0; k < 60; ++k) {
     const auto h = static_cast<HalfEdgeId>(random() % static_cast<unsigned>(3 * mesh.triangle_slots()));
     on_curve += mesh.is_constrained(h);
-    REQUIRE(split_edge(mesh, h, uniform(random)).refusal == Refusal::done);
+    REQUIRE(split_edge(mesh, h, uniform(random)).outcome == Outcome::done);
   }
   REQUIRE(on_curve > 2);
   for (const Fault& fault : check_mesh(mesh)) FAIL_CHECK(fault.place << ": " << fault.text);
@@ -61,19 +61,19 @@ TEST_CASE("removing an inserted vertex gives back geometry and field", "[ops]") 
   std::mt19937_64 random(5);
   for (TriangleId t = 0; t < 12; ++t) {
     const InsertResult inserted = insert_point(mesh, t, {0.25, 0.45, 0.3});
-    REQUIRE(inserted.refusal == Refusal::done);
-    CHECK(remove_inner_vertex(mesh, inserted.vertex) == Refusal::done);
+    REQUIRE(inserted.outcome == Outcome::done);
+    CHECK(remove_inner_vertex(mesh, inserted.vertex) == Outcome::done);
   }
   mesh.compact();
   for (HalfEdgeId h = 0; h < 36; ++h) {
     if (!mesh.is_alive(triangle_of(h))) continue;
     const bool on_curve = mesh.is_constrained(h);
     const InsertResult inserted = split_edge(mesh, h, 0.375);
-    REQUIRE(inserted.refusal == Refusal::done);
+    REQUIRE(inserted.outcome == Outcome::done);
     if (on_curve)
-      CHECK(remove_curve_vertex(mesh, inserted.vertex, {1e-10}).refusal == Refusal::done);
+      CHECK(remove_curve_vertex(mesh, inserted.vertex, {1e-10}).outcome == Outcome::done);
     else
-      CHECK(remove_inner_vertex(mesh, inserted.vertex) == Refusal::done);
+      CHECK(remove_inner_vertex(mesh, inserted.vertex) == Outcome::done);
   }
   for (const Fault& fault : check_mesh(mesh)) FAIL_CHECK(fault.place << ": " << fault.text);
   CHECK(mesh.triangle_count() == before.triangle_count());
@@ -90,9 +90,9 @@ TEST_CASE("flips keep the region, linear functions and integrals", "[ops]") {
   for (int k = 0; k < 300; ++k) {
     const auto h = static_cast<HalfEdgeId>(random() % static_cast<unsigned>(3 * mesh.triangle_slots()));
     const MeshData data = mesh.to_data();
-    const Refusal refusal = flip_edge(mesh, h);
-    flips += refusal == Refusal::done;
-    if (refusal != Refusal::done && k % 10 == 0) CHECK(same_document(data, mesh.to_data()));
+    const Outcome outcome = flip_edge(mesh, h);
+    flips += outcome == Outcome::done;
+    if (outcome != Outcome::done && k % 10 == 0) CHECK(same_document(data, mesh.to_data()));
   }
   CHECK(flips > 30);
   for (const Fault& fault : check_mesh(mesh)) FAIL_CHECK(fault.place << ": " << fault.text);
@@ -140,7 +140,7 @@ TEST_CASE("knot removals within a tolerance keep every invariant and linear func
     find_star(mesh, v, star);
     if (star.is_closed) continue;
     const CurveRemoval removal = remove_curve_vertex(mesh, v, {0.2, 0.05, keep_area});
-    if (removal.refusal != Refusal::done) continue;
+    if (removal.outcome != Outcome::done) continue;
     ++removed;
     error += removal.error;
     for (const Fault& fault : check_mesh(mesh)) FAIL_CHECK(fault.invariant << " " << fault.place << ": " << fault.text);

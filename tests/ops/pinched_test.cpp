@@ -82,8 +82,8 @@ TEST_CASE("every component of a pinched vertex's star is seen, whatever operatio
     const PointId v = pinch_of(mesh);
     check_star(mesh, v);
     const MeshData data = mesh.to_data();
-    CHECK(remove_inner_vertex(mesh, v) == Refusal::constrained);
-    CHECK(remove_curve_vertex(mesh, v, {HUGE_VAL}).refusal == Refusal::corner);
+    CHECK(remove_inner_vertex(mesh, v) == Outcome::constrained);
+    CHECK(remove_curve_vertex(mesh, v, {HUGE_VAL}).outcome == Outcome::corner);
     CHECK(same_document(data, mesh.to_data()));
     mesh.compact();
     check_star(mesh, pinch_of(mesh));
@@ -119,10 +119,10 @@ TEST_CASE("a flip joins no vertices that an edge of another component joins alre
   require_every_invariant(mesh);
   CHECK(mesh.is_pinched(up));
   CHECK(mesh.is_pinched(down));
-  CHECK(flip_edge(mesh, find_half_edge(mesh, a, b)) == Refusal::edge_exists);
+  CHECK(flip_edge(mesh, find_half_edge(mesh, a, b)) == Outcome::edge_exists);
   // Once that side is split the flip makes the only edge there.
-  REQUIRE(split_edge(mesh, find_half_edge(mesh, up, down), 0.5).refusal == Refusal::done);
-  CHECK(flip_edge(mesh, find_half_edge(mesh, a, b)) == Refusal::done);
+  REQUIRE(split_edge(mesh, find_half_edge(mesh, up, down), 0.5).outcome == Outcome::done);
+  CHECK(flip_edge(mesh, find_half_edge(mesh, a, b)) == Outcome::done);
   require_every_invariant(mesh);
   // And then the split cannot be undone.
   const HalfEdgeId h = find_half_edge(mesh, up, down);
@@ -132,7 +132,7 @@ TEST_CASE("a flip joins no vertices that an edge of another component joins alre
   int refused = 0;
   for (PointId v = 0; v < mesh.point_slots(); ++v)
     if (mesh.is_point_alive(v) && mesh.is_vertex(v))
-      refused += remove_curve_vertex(mesh, v, {HUGE_VAL}).refusal == Refusal::edge_exists;
+      refused += remove_curve_vertex(mesh, v, {HUGE_VAL}).outcome == Outcome::edge_exists;
   CHECK(refused == 1);
   require_every_invariant(mesh);
 }

@@ -140,23 +140,23 @@ class RandomOperations {
     const bool grow = mesh_.triangle_count() < most_triangles_;
     switch (random_() % 8) {
       case 0:
-        return grow && insert_point(mesh_, t, {0.3, 0.45, 0.25}).refusal == Refusal::done;
+        return grow && insert_point(mesh_, t, {0.3, 0.45, 0.25}).outcome == Outcome::done;
       case 1:
-        return grow && split_edge(mesh_, h, uniform(random_)).refusal == Refusal::done;
+        return grow && split_edge(mesh_, h, uniform(random_)).outcome == Outcome::done;
       case 2:
       case 3:
-        return flip_edge(mesh_, h) == Refusal::done;
+        return flip_edge(mesh_, h) == Outcome::done;
       case 4:
       case 5:
         // A vertex on a curve goes only where that leaves the curve as it is: after a split.
         if (mesh_.is_constrained(h))
-          return remove_curve_vertex(mesh_, mesh_.origin(h), {1e-14 * mesh_.size()}).refusal == Refusal::done;
-        return remove_inner_vertex(mesh_, mesh_.origin(h)) == Refusal::done;
+          return remove_curve_vertex(mesh_, mesh_.origin(h), {1e-14 * mesh_.size()}).outcome == Outcome::done;
+        return remove_inner_vertex(mesh_, mesh_.origin(h)) == Outcome::done;
       case 6:
-        return smooth_edge(mesh_, h, SmoothGoal::improve) == Refusal::done;
+        return smooth_edge(mesh_, h, SmoothGoal::improve) == Outcome::done;
       default:
-        if (mesh_.degree() > 2) return smooth_interior(mesh_, t, SmoothGoal::improve) == Refusal::done;
-        return flip_edge(mesh_, h) == Refusal::done;
+        if (mesh_.degree() > 2) return smooth_interior(mesh_, t, SmoothGoal::improve) == Outcome::done;
+        return flip_edge(mesh_, h) == Outcome::done;
     }
   }
   Mesh& mesh_;

@@ -51,7 +51,7 @@ struct Snapshot {
 };
 
 /// Any operation there is, at a place and with options by chance; some ask for what cannot be.
-Refusal any_operation(Mesh& mesh, std::mt19937_64& random, bool grow) {
+Outcome any_operation(Mesh& mesh, std::mt19937_64& random, bool grow) {
   std::uniform_real_distribution<double> uniform(0, 1);
   TriangleId t;
   do t = static_cast<TriangleId>(random() % static_cast<unsigned>(mesh.triangle_slots()));
@@ -78,7 +78,7 @@ Refusal any_operation(Mesh& mesh, std::mt19937_64& random, bool grow) {
     case 8: {
       CurveTolerance tolerance{random() % 2 ? HUGE_VAL : 0.02, 0.05, random() % 2 == 0};
       if (random() % 3 == 0) tolerance.max_turning = 0.3;
-      return remove_curve_vertex(mesh, v, tolerance, options).refusal;
+      return remove_curve_vertex(mesh, v, tolerance, options).outcome;
     }
     case 9:
       return smooth_edge(mesh, h, random() % 2 ? SmoothGoal::improve : SmoothGoal::untangle, options);
@@ -90,10 +90,10 @@ Refusal any_operation(Mesh& mesh, std::mt19937_64& random, bool grow) {
       return level_jacobian(mesh, t, 0.5, options);
     case 13:
     case 14:
-      return split_edge(mesh, h, 0.2 + 0.6 * uniform(random)).refusal;
+      return split_edge(mesh, h, 0.2 + 0.6 * uniform(random)).outcome;
     default: {
       const double a = uniform(random), b = uniform(random) * 1.1 * (1 - a);
-      return insert_point(mesh, t, {a, b, 1 - a - b}).refusal;
+      return insert_point(mesh, t, {a, b, 1 - a - b}).outcome;
     }
   }
 }
@@ -101,7 +101,7 @@ Refusal any_operation(Mesh& mesh, std::mt19937_64& random, bool grow) {
 }  // namespace
 
 TEST_CASE("an operation that refuses leaves the mesh bit for bit as it was, whatever the reason", "[ops][property]") {
-  static std::map<Refusal, int> reasons;  // over all sections
+  static std::map<Outcome, int> reasons;  // over all sections
   const int degree = GENERATE(1, 2, 3, 4, 5);
   const Domain& domain = GENERATE(from_range(std::begin(domains), std::end(domains)));
   CAPTURE(degree, domain.name);
@@ -113,13 +113,13 @@ TEST_CASE("an operation that refuses leaves the mesh bit for bit as it was, what
     CAPTURE(k);
     const Snapshot before(mesh);
     const Mesh copy = mesh;
-    const Refusal refusal = any_operation(mesh, random, mesh.triangle_count() < most);
-    ++reasons[refusal];
-    if (refusal == Refusal::done) {
+    const Outcome outcome = any_operation(mesh, random, mesh.triangle_count() < most);
+    ++reasons[outcome];
+    if (outcome == Outcome::done) {
       ++done;
       continue;
     }
-    CAPTURE(describe(refusal));
+    CAPTURE(describe(outcome));
     REQUIRE(before == Snapshot(mesh));
     require_every_invariant(mesh);
     if (++refused % 8) continue;
@@ -135,12 +135,12 @@ TEST_CASE("an operation that refuses leaves the mesh bit for bit as it was, what
   CHECK(refused > 20);
   CHECK(done > 10);
   if (degree == 5 && domain.boundary == std::end(domains)[-1].boundary) {  // the last section
-    for (int reason = 0; reason <= static_cast<int>(Refusal::not_in_domain); ++reason) {
+    for (int reason = 0; reason <= static_cast<int>(Outcome::not_in_domain); ++reason) {
       // The first is said by passes alone; the second takes elements and values that are rare (tests/repair, seed 151).
-      if (static_cast<Refusal>(reason) == Refusal::would_bend) continue;
-      if (static_cast<Refusal>(reason) == Refusal::loses_integral) continue;
-      CAPTURE(describe(static_cast<Refusal>(reason)));
-      CHECK(reasons.count(static_cast<Refusal>(reason)) == 1);
+      if (static_cast<Outcome>(reason) == Outcome::would_bend) continue;
+      if (static_cast<Outcome>(reason) == Outcome::loses_integral) continue;
+      CAPTURE(describe(static_cast<Outcome>(reason)));
+      CHECK(reasons.count(static_cast<Outcome>(reason)) == 1);
     }
   }
 }

@@ -1,19 +1,18 @@
 // tests/ops/round_trip_test.cpp: what an insertion or a split did is undone by the removal of its vertex, to rounding.
 #include "ops/carried_domains.h"
+#include "pliant/geometry/index.h"
 
 using namespace pliant;
 
 namespace {
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
 /// The rows of the triangle of h as seen from its origin: the same whichever corner the triangle calls its first.
 std::vector<double> rows_from(const Mesh& mesh, HalfEdgeId h) {
   const int p = mesh.degree(), width = mesh.width();
   const NetLayout& layout = mesh.layout();
-  std::vector<double> rows(at(mesh.net_size() * width)), out;
+  std::vector<double> rows(index(mesh.net_size() * width)), out;
   mesh.gather(triangle_of(h), rows);
-  const std::size_t e = at(edge_of(h));
+  const std::size_t e = index(edge_of(h));
   for (int i = 0; i <= p; ++i)
     for (int j = 0; i + j <= p; ++j) {
       std::array<int, 3> exponents{};
@@ -29,7 +28,7 @@ std::vector<double> rows_from(const Mesh& mesh, HalfEdgeId h) {
 double difference(const Mesh& mesh, const std::vector<double>& a, const std::vector<double>& b) {
   double worst = 0;
   for (std::size_t k = 0; k < a.size(); ++k)
-    worst = std::max(worst, std::abs(a[k] - b[k]) / (k % at(mesh.width()) < 2 ? mesh.size() : 3));
+    worst = std::max(worst, std::abs(a[k] - b[k]) / (k % index(mesh.width()) < 2 ? mesh.size() : 3));
   return worst;
 }
 
@@ -40,9 +39,9 @@ struct Before {
 
   void note(const Mesh& mesh, int side, HalfEdgeId h) {
     if (h == none) return;
-    from[at(side)] = mesh.origin(h);
-    to[at(side)] = mesh.target(h);
-    rows[at(side)] = rows_from(mesh, h);
+    from[index(side)] = mesh.origin(h);
+    to[index(side)] = mesh.target(h);
+    rows[index(side)] = rows_from(mesh, h);
   }
   double change(const Mesh& mesh) const {
     double worst = 0;
@@ -68,7 +67,7 @@ TEST_CASE("an insertion or a split, then the removal of its vertex, give back ge
   std::array<int, 4> trips{};
   for (int k = 0; k < 400; ++k) {
     CAPTURE(k);
-    const auto t = static_cast<TriangleId>(random() % at(mesh.triangle_slots()));
+    const auto t = static_cast<TriangleId>(random() % index(mesh.triangle_slots()));
     if (!mesh.is_alive(t)) continue;
     HalfEdgeId h = half_edge(t, static_cast<int>(random() % 3));
     Before before;
@@ -80,8 +79,8 @@ TEST_CASE("an insertion or a split, then the removal of its vertex, give back ge
       for (double& x : xi) x /= sum;
       before.note(mesh, 0, h);
       inserted = insert_point(mesh, t, xi);
-      REQUIRE(inserted.refusal == Refusal::done);
-      REQUIRE(remove_inner_vertex(mesh, inserted.vertex) == Refusal::done);
+      REQUIRE(inserted.outcome == Outcome::done);
+      REQUIRE(remove_inner_vertex(mesh, inserted.vertex) == Outcome::done);
     } else {
       for (int e = 0; e < 3 && random() % 2; ++e)
         if (mesh.is_constrained(half_edge(t, e))) h = half_edge(t, e);
@@ -89,13 +88,13 @@ TEST_CASE("an insertion or a split, then the removal of its vertex, give back ge
       if (mesh.twin(h) != none) before.note(mesh, 1, next(mesh.twin(h)));
       kind = !mesh.is_constrained(h) ? 1 : mesh.twin(h) != none ? 2 : 3;
       inserted = split_edge(mesh, h, 0.1 + 0.8 * uniform(random));
-      REQUIRE(inserted.refusal == Refusal::done);
-      const Refusal refusal = kind == 1 ? remove_inner_vertex(mesh, inserted.vertex)
-                                        : remove_curve_vertex(mesh, inserted.vertex, {1e-10}).refusal;
-      REQUIRE(refusal == Refusal::done);
+      REQUIRE(inserted.outcome == Outcome::done);
+      const Outcome outcome = kind == 1 ? remove_inner_vertex(mesh, inserted.vertex)
+                                        : remove_curve_vertex(mesh, inserted.vertex, {1e-10}).outcome;
+      REQUIRE(outcome == Outcome::done);
     }
-    ++trips[at(kind)];
-    worst[at(kind)] = std::max(worst[at(kind)], before.change(mesh));
+    ++trips[index(kind)];
+    worst[index(kind)] = std::max(worst[index(kind)], before.change(mesh));
   }
   require_every_invariant(mesh);
   CHECK(mesh.triangle_count() == original.triangle_count());

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "pliant/geometry/index.h"
 #include "support/validity_oracle.h"
 
 namespace pliant::samples {
@@ -34,16 +35,14 @@ struct KnownElement {
   double minimum = 0;  ///< |min det J|, or less; only where the sign is not 0
 };
 
-inline std::size_t at(int n) { return static_cast<std::size_t>(n); }
-
 /// The elementary symmetric sum of k of these numbers.
 template <class T>
 T elementary(const std::vector<T>& values, int k) {
-  std::vector<T> sums(at(k) + 1);
+  std::vector<T> sums(index(k) + 1);
   sums[0] = 1;
   for (const T& v : values)
-    for (std::size_t m = at(k); m >= 1; --m) sums[m] += sums[m - 1] * v;
-  return sums[at(k)];
+    for (std::size_t m = index(k); m >= 1; --m) sums[m] += sums[m - 1] * v;
+  return sums[index(k)];
 }
 
 inline std::int64_t choose(int n, int k) { return k == 0 ? 1 : choose(n, k - 1) * (n - k + 1) / k; }
@@ -64,7 +63,7 @@ IntegerNet net_of(int p, const std::array<Corner, 3>& corners, Blossom blossom) 
   IntegerNet net;
   for (int n = 0; n < layout.size(); ++n) {
     std::vector<Corner> arguments;
-    for (std::size_t c = 0; c < 3; ++c) arguments.insert(arguments.end(), at(layout.exponents(n)[c]), corners[c]);
+    for (std::size_t c = 0; c < 3; ++c) arguments.insert(arguments.end(), index(layout.exponents(n)[c]), corners[c]);
     net.push_back(blossom(arguments));
   }
   return net;
@@ -97,7 +96,7 @@ inline Truth location(const Triangle& t, const Gauss& r) {
 
 /// A corner, a quarter of an edge (the triangle's coordinates being multiples of 4), or any integer point about.
 inline Gauss random_root(Draw& draw, const Triangle& t, int range) {
-  const std::size_t e = at(draw.integer(0, 2));
+  const std::size_t e = index(draw.integer(0, 2));
   const int kind = draw.integer(0, 7);
   if (kind == 0) return t[e];
   if (kind == 1) return t[e] + (t[(e + 1) % 3] - t[e]) / std::int64_t{4} * std::int64_t{draw.integer(1, 3)};
@@ -155,7 +154,7 @@ inline KnownElement many_roots(int p, Draw& draw) {
   }
   result.net = net_of(p, t, [&](const std::vector<Gauss>& u) -> std::array<std::int64_t, 2> {
     Gauss sum(0, 0);
-    for (int k = 1; k <= p; ++k) sum += derivative[at(k - 1)] * blossom_of_power(k, u) * Gauss(60 / k, 0);
+    for (int k = 1; k <= p; ++k) sum += derivative[index(k - 1)] * blossom_of_power(k, u) * Gauss(60 / k, 0);
     return {sum.real(), sum.imag()};
   });
   result.minimum = HUGE_VAL;
@@ -277,13 +276,13 @@ inline IntegerNet random_net(int p, Draw& draw) {
   const int kind = draw.integer(0, 15);
   const int e = draw.integer(0, 2);
   if (kind == 0) {  // the edges that meet at corner e leave it in the same direction, or the opposite one
-    const auto from = net[at(e)];
-    const auto first = net[at(layout.edge_index(e, 1))];
-    auto& second = net[at(layout.edge_index((e + 2) % 3, p - 1))];
+    const auto from = net[index(e)];
+    const auto first = net[index(layout.edge_index(e, 1))];
+    auto& second = net[index(layout.edge_index((e + 2) % 3, p - 1))];
     for (std::size_t c = 0; c < 2; ++c) second[c] = from[c] + draw.integer(-1, 2) * (first[c] - from[c]);
   }
   if (kind == 1)
-    for (int k = 1; k <= p; ++k) net[at(layout.edge_index(e, k))] = net[at(e)];
+    for (int k = 1; k <= p; ++k) net[index(layout.edge_index(e, k))] = net[index(e)];
   if (kind == 2 && draw.one_in(4)) {
     const int slope = draw.integer(-2, 2);
     for (auto& [x, y] : net) y = slope * x;

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "pliant/geometry/index.h"
 #include "pliant/geometry/net_layout.h"
 #include "support/exact_jacobian.h"
 
@@ -79,16 +80,16 @@ class IntegerJacobian {
           for (int d = 0; c + d <= p; ++d) {
             if (a + c < 1 || b + d < 1) continue;  // x^(a + c - 1) y^(b + d - 1) of x_u y_v - x_v y_u
             if (const int minor = a * d - b * c; minor != 0)
-              product[at(a + c - 1)][at(b + d - 1)] += minor * x[at(a)][at(b)] * y[at(c)][at(d)];
+              product[index(a + c - 1)][index(b + d - 1)] += minor * x[index(a)][index(b)] * y[index(c)][index(d)];
           }
-    root_.assign(at((degree_ + 1) * (degree_ + 1)), Int(0));
+    root_.assign(index((degree_ + 1) * (degree_ + 1)), Int(0));
     for (int j = 0; j <= degree_; ++j)
       for (int k = 0; j + k <= degree_; ++k)
         for (int a = 0; a <= j; ++a)
           for (int b = 0; b <= k; ++b)
             // (j over a) a! (k over b) b! (d - a - b)!
             entry(root_, j, k) += factorial(j) / factorial(j - a) * (factorial(k) / factorial(k - b)) *
-                                  factorial(degree_ - a - b) * product[at(a)][at(b)];
+                                  factorial(degree_ - a - b) * product[index(a)][index(b)];
     for (const Int& c : root_) greatest_ = std::max(greatest_, std::fabs(static_cast<double>(c)));
   }
 
@@ -122,14 +123,14 @@ class IntegerJacobian {
  private:
   static constexpr std::size_t most = 11;  // p = 6
   using Table = std::array<std::array<Int, most>, most>;
-  static std::size_t at(int n) { return static_cast<std::size_t>(n); }
+
   static std::int64_t factorial(int n) {
     static const auto table = [] {
       std::array<std::int64_t, most> f{1};
       for (std::size_t m = 1; m < most; ++m) f[m] = static_cast<std::int64_t>(m) * f[m - 1];
       return f;
     }();
-    return table[at(n)];
+    return table[index(n)];
   }
   static std::int64_t binomial(int n, int k) { return factorial(n) / (factorial(k) * factorial(n - k)); }
 
@@ -138,10 +139,10 @@ class IntegerJacobian {
     Table result{};
     for (int n = 0; n < layout.size(); ++n) {
       const auto [i, j, k] = layout.exponents(n);
-      const Int scale = static_cast<std::int64_t>(layout.multinomial(n)) * Int(net[at(n)][coordinate]);
+      const Int scale = static_cast<std::int64_t>(layout.multinomial(n)) * Int(net[index(n)][coordinate]);
       for (int a = 0; a <= i; ++a)  // (1 - x - y)^i
         for (int b = 0; a + b <= i; ++b)
-          result[at(j + a)][at(k + b)] += ((a + b) % 2 ? -scale : scale) * binomial(i, a) * binomial(i - a, b);
+          result[index(j + a)][index(k + b)] += ((a + b) % 2 ? -scale : scale) * binomial(i, a) * binomial(i - a, b);
     }
     return result;
   }
@@ -149,7 +150,7 @@ class IntegerJacobian {
   using Coefficients = std::vector<Int>;
   template <class Any>
   auto& entry(Any& piece, int j, int k) const {
-    return piece[at(j * (degree_ + 1) + k)];
+    return piece[index(j * (degree_ + 1) + k)];
   }
 
   struct Limits {
@@ -187,8 +188,8 @@ class IntegerJacobian {
       for (int t = 0; t <= n; ++t) {
         const Int scale = Int(1) << (degree_ - t);
         entry(first, n - t, t) = row[0] * scale;
-        entry(second, k, t) = row[at(n - t)] * scale;
-        for (int j = 0; j < n - t; ++j) row[at(j)] += row[at(j + 1)];
+        entry(second, k, t) = row[index(n - t)] * scale;
+        for (int j = 0; j < n - t; ++j) row[index(j)] += row[index(j + 1)];
       }
     }
     visit(first, {depth + 1, greatest_depth, tolerance}, pieces_left, result);

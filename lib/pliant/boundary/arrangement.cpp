@@ -11,13 +11,12 @@
 #include "pliant/boundary/arrangement/arrangement_input.h"
 #include "pliant/boundary/boundary_spans.h"
 #include "pliant/boundary/check_boundary.h"
+#include "pliant/geometry/index.h"
 
 namespace pliant {
 namespace {
 
 constexpr double wider = 16;  // the tolerance of the next attempt
-
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 /// What both kinds of input come to.
 struct Painting {

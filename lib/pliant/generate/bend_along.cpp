@@ -3,15 +3,11 @@
 #include <array>
 
 #include "pliant/generate/lift_triangles.h"
+#include "pliant/geometry/index.h"
 #include "pliant/geometry/net_layout.h"
 
 namespace pliant {
 namespace {
-
-template <class I>
-std::size_t at(I i) {
-  return static_cast<std::size_t>(i);
-}
 
 constexpr double most_short = 0.5;  // of the two long edges: the third one of a thin element
 
@@ -25,7 +21,7 @@ Bend mean(const Bend& a, const Bend& b) {
 }
 Bend reversed(const Bend& a, int degree) {
   Bend back{};
-  for (int k = 0; k <= degree; ++k) back[at(k)] = a[at(degree - k)];
+  for (int k = 0; k <= degree; ++k) back[index(k)] = a[index(degree - k)];
   return back;
 }
 
@@ -37,13 +33,15 @@ std::optional<std::array<Vector, max_degree + 1>> LiftedMesh::bend_beside(int t,
   const int other = at_origin ? (long_edge + 2) % 3 : (long_edge + 1) % 3, third = 3 - long_edge - other;
   if (planar_.span(3 * t + other) < 0) return std::nullopt;
   const auto own = net(t);
-  const auto edge_length = [&](int e) { return distance(points_[at(own[at(e)])], points_[at(own[at((e + 1) % 3)])]); };
+  const auto edge_length = [&](int e) {
+    return distance(points_[index(own[index(e)])], points_[index(own[index((e + 1) % 3)])]);
+  };
   if (edge_length(third) > most_short * std::min(edge_length(long_edge), edge_length(other))) return std::nullopt;
   const NetLayout& layout = NetLayout::of(degree_);
   Bend bend{};
-  const Point &a = points_[at(own[at(other)])], &b = points_[at(own[at((other + 1) % 3)])];
+  const Point &a = points_[index(own[index(other)])], &b = points_[index(own[index((other + 1) % 3)])];
   for (int k = 1; k < degree_; ++k)
-    bend[at(k)] = points_[at(own[at(layout.edge_index(other, k))])] - ((degree_ - k) * a + k * b) / degree_;
+    bend[index(k)] = points_[index(own[index(layout.edge_index(other, k))])] - ((degree_ - k) * a + k * b) / degree_;
   return at_origin ? reversed(bend, degree_) : bend;
 }
 
@@ -54,8 +52,8 @@ void LiftedMesh::bend_interior(int t, int corner, const std::array<Vector, max_d
   for (int n = layout.first_interior(); n < layout.size(); ++n) {
     const std::array<int, 3>& ijk = layout.exponents(n);
     Point place;
-    for (int c = 0; c < 3; ++c) place += (double(ijk[at(c)]) / degree_) * points_[at(own[at(c)])];
-    points_[at(own[at(n)])] = place + bend[at(degree_ - ijk[at(corner)])];
+    for (int c = 0; c < 3; ++c) place += (double(ijk[index(c)]) / degree_) * points_[index(own[index(c)])];
+    points_[index(own[index(n)])] = place + bend[index(degree_ - ijk[index(corner)])];
   }
 }
 
@@ -68,10 +66,10 @@ bool LiftedMesh::bend_tip(int t) {
     const NetLayout& layout = NetLayout::of(degree_);
     const auto own = net(t);
     std::array<Point, net_size(max_degree)> before;
-    for (std::size_t n = 0; n < own.size(); ++n) before[n] = points_[at(own[n])];
+    for (std::size_t n = 0; n < own.size(); ++n) before[n] = points_[index(own[n])];
     bend_interior(t, c, mean(*leaving, *arriving));
     if (is_valid(t)) return true;
-    for (int n = layout.first_interior(); n < layout.size(); ++n) points_[at(own[at(n)])] = before[at(n)];
+    for (int n = layout.first_interior(); n < layout.size(); ++n) points_[index(own[index(n)])] = before[index(n)];
   }
   return false;
 }
@@ -98,12 +96,12 @@ bool LiftedMesh::bend_along_curves(int t) {
         }
       std::array<std::array<Point, net_size(max_degree)>, 2> before;
       for (std::size_t i = 0; i < 2; ++i)
-        for (std::size_t n = 0; n < net(t).size(); ++n) before[i][n] = points_[at(net(i == 0 ? t : u)[n])];
+        for (std::size_t n = 0; n < net(t).size(); ++n) before[i][n] = points_[index(net(i == 0 ? t : u)[n])];
       const bool was_valid = is_valid(u);
       const auto own = net(t);
-      const Point a = points_[at(own[at(e)])], b = points_[at(own[at((e + 1) % 3)])];
+      const Point a = points_[index(own[index(e)])], b = points_[index(own[index((e + 1) % 3)])];
       for (int k = 1; k < degree_; ++k)
-        points_[at(own[at(layout.edge_index(e, k))])] = ((degree_ - k) * a + k * b) / degree_ + along[at(k)];
+        points_[index(own[index(layout.edge_index(e, k))])] = ((degree_ - k) * a + k * b) / degree_ + along[index(k)];
       bend_interior(t, at_origin ? e : (e + 1) % 3, at_origin ? along : reversed(along, degree_));
       for (const bool at_twins_origin : {true, false})
         if (bend_beside(u, f, at_twins_origin)) {
@@ -112,7 +110,7 @@ bool LiftedMesh::bend_along_curves(int t) {
         }
       if (is_valid(t) && (is_valid(u) || !was_valid)) return true;
       for (std::size_t i = 0; i < 2; ++i)
-        for (std::size_t n = 0; n < net(t).size(); ++n) points_[at(net(i == 0 ? t : u)[n])] = before[i][n];
+        for (std::size_t n = 0; n < net(t).size(); ++n) points_[index(net(i == 0 ? t : u)[n])] = before[i][n];
     }
   return false;
 }

@@ -5,17 +5,13 @@
 #include <array>
 
 #include "pliant/generate/tame_spans.h"
+#include "pliant/geometry/index.h"
 #include "pliant/geometry/net_layout.h"
 #include "pliant/geometry/placement/optimal_placement.h"
 #include "pliant/geometry/validity/validity.h"
 
 namespace pliant {
 namespace {
-
-template <class I>
-std::size_t at(I i) {
-  return static_cast<std::size_t>(i);
-}
 
 constexpr int most_sweeps = 3;       // over the elements without certificate
 constexpr double way_beyond = 0.25;  // of the way from the first valid place to the best one
@@ -30,31 +26,31 @@ LiftedMesh::LiftedMesh(int degree, const BoundarySpans& spans, const PlanarMesh&
 }
 
 std::span<const int> LiftedMesh::net(int t) const {
-  const auto size = at(net_size(degree_));
-  return {nets_.data() + at(t) * size, size};
+  const auto size = index(net_size(degree_));
+  return {nets_.data() + index(t) * size, size};
 }
 
 /// Corners keep their numbers; then the edges' points, an edge numbered where it first occurs; then the inner ones.
 void LiftedMesh::number_points() {
   const NetLayout& layout = NetLayout::of(degree_);
-  const std::size_t count = planar_.corners.size(), size = at(layout.size());
+  const std::size_t count = planar_.corners.size(), size = index(layout.size());
   nets_.assign(count * size, -1);
   int next_point = static_cast<int>(planar_.points.size());
   const int half_edges = static_cast<int>(planar_.twins.size());
   for (int h = 0; h < half_edges; ++h) {
-    int* const own = nets_.data() + at(h / 3) * size;
+    int* const own = nets_.data() + index(h / 3) * size;
     own[h % 3] = planar_.origin(h);
     const int g = planar_.twin(h);
     const bool is_first = g < 0 || g > h;
     for (int k = 1; k < degree_; ++k) {
       int& entry = own[layout.edge_index(h % 3, k)];
-      entry = is_first ? next_point++ : nets_[at(g / 3) * size + at(layout.edge_index(g % 3, degree_ - k))];
+      entry = is_first ? next_point++ : nets_[index(g / 3) * size + index(layout.edge_index(g % 3, degree_ - k))];
     }
   }
   for (std::size_t t = 0; t < count; ++t)
-    for (int n = layout.first_interior(); n < layout.size(); ++n) nets_[t * size + at(n)] = next_point++;
+    for (int n = layout.first_interior(); n < layout.size(); ++n) nets_[t * size + index(n)] = next_point++;
   points_ = planar_.points;
-  points_.resize(at(next_point));
+  points_.resize(index(next_point));
 }
 
 void LiftedMesh::place_points() {
@@ -62,12 +58,12 @@ void LiftedMesh::place_points() {
   const int p = degree_, half_edges = static_cast<int>(planar_.twins.size());
   for (int h = 0; h < half_edges; ++h) {
     if (planar_.twin(h) > h) continue;  // placed once, by the half-edge whose twin was there before, or has none
-    const Point &a = points_[at(planar_.origin(h))], &b = points_[at(planar_.target(h))];
+    const Point &a = points_[index(planar_.origin(h))], &b = points_[index(planar_.target(h))];
     const int s = planar_.span(h);
-    const bool forward = s >= 0 && spans_[at(s)].from == planar_.origin(h);
+    const bool forward = s >= 0 && spans_[index(s)].from == planar_.origin(h);
     for (int k = 1; k < p; ++k) {
-      Point& place = points_[at(net(h / 3)[at(layout.edge_index(h % 3, k))])];
-      place = s < 0 ? ((p - k) * a + k * b) / p : spans_.polygon(at(s))[at(forward ? k : p - k)];
+      Point& place = points_[index(net(h / 3)[index(layout.edge_index(h % 3, k))])];
+      place = s < 0 ? ((p - k) * a + k * b) / p : spans_.polygon(index(s))[index(forward ? k : p - k)];
     }
   }
   const int count = static_cast<int>(planar_.corners.size());
@@ -76,21 +72,21 @@ void LiftedMesh::place_points() {
     for (int n = layout.first_interior(); n < layout.size(); ++n) {
       const std::array<int, 3>& ijk = layout.exponents(n);
       Point place;
-      for (int c = 0; c < 3; ++c) place += (double(ijk[at(c)]) / p) * points_[at(own[at(c)])];
+      for (int c = 0; c < 3; ++c) place += (double(ijk[index(c)]) / p) * points_[index(own[index(c)])];
       for (int e = 0; e < 3; ++e) {
         if (planar_.span(3 * t + e) < 0) continue;
         // The edge's displacement at the foot of this point; the square of the weight makes an elevated quadratic
         // element of an elevated quadratic edge.
-        const double from = ijk[at(e)], to = ijk[at((e + 1) % 3)], weight = (from + to) / p;
+        const double from = ijk[index(e)], to = ijk[index((e + 1) % 3)], weight = (from + to) / p;
         const double foot = p * to / (from + to);
         const int k = std::min(static_cast<int>(foot), p - 1);
         const auto displacement = [&](int m) {
-          return points_[at(own[at(layout.edge_index(e, m))])] -
-                 ((p - m) * points_[at(own[at(e)])] + m * points_[at(own[at((e + 1) % 3)])]) / p;
+          return points_[index(own[index(layout.edge_index(e, m))])] -
+                 ((p - m) * points_[index(own[index(e)])] + m * points_[index(own[index((e + 1) % 3)])]) / p;
         };
         place += weight * weight * ((k + 1 - foot) * displacement(k) + (foot - k) * displacement(k + 1));
       }
-      points_[at(own[at(n)])] = place;
+      points_[index(own[index(n)])] = place;
     }
   }
 }
@@ -102,10 +98,10 @@ void LiftedMesh::find_cusps() {
     const int back = h % 3 == 0 ? h + 2 : h - 1, s = planar_.span(h), r = planar_.span(back);
     if (s < 0 || r < 0 || s == r) continue;
     const int node = planar_.origin(h);
-    if (!is_cusp(tangent_at_end(spans_.polygon(at(s)), spans_[at(s)].from == node),
-                 tangent_at_end(spans_.polygon(at(r)), spans_[at(r)].from == node)))
+    if (!is_cusp(tangent_at_end(spans_.polygon(index(s)), spans_[index(s)].from == node),
+                 tangent_at_end(spans_.polygon(index(r)), spans_[index(r)].from == node)))
       continue;
-    cusp_corner_[at(h / 3)] = h % 3;
+    cusp_corner_[index(h / 3)] = h % 3;
     cusps_.push_back(node);
   }
   std::sort(cusps_.begin(), cusps_.end());
@@ -115,19 +111,19 @@ void LiftedMesh::find_cusps() {
 bool LiftedMesh::is_valid(int t) const {
   std::array<Point, net_size(max_degree)> points;
   const auto own = net(t);
-  for (std::size_t n = 0; n < own.size(); ++n) points[n] = points_[at(own[n])];
+  for (std::size_t n = 0; n < own.size(); ++n) points[n] = points_[index(own[n])];
   const std::span<const Point> element(points.data(), own.size());
-  const int corner = cusp_corner_[at(t)];
+  const int corner = cusp_corner_[index(t)];
   return (corner < 0 ? certify(degree_, element) : certify_cusp(degree_, element, corner)) == Validity::valid;
 }
 
 /// A place for one control point of an element, such that all elements (one or two) that have it are valid.
-std::optional<Point> LiftedMesh::valid_place(int t, int index) {
+std::optional<Point> LiftedMesh::valid_place(int t, int k) {
   const NetLayout& layout = NetLayout::of(degree_);
-  Point& moving = points_[at(net(t)[at(index)])];
+  Point& moving = points_[index(net(t)[index(k)])];
   std::array<int, 2> around{t, -1};
-  if (index < layout.first_interior()) {
-    const int e = (index - 3) / (degree_ - 1);
+  if (k < layout.first_interior()) {
+    const int e = (k - 3) / (degree_ - 1);
     if (planar_.span(3 * t + e) >= 0) return std::nullopt;
     around[1] = planar_.twin(3 * t + e) / 3;
   }
@@ -135,8 +131,8 @@ std::optional<Point> LiftedMesh::valid_place(int t, int index) {
   std::vector<PlacementElement> elements;
   for (std::size_t i = 0; i < 2 && around[i] >= 0; ++i) {
     const auto own = net(around[i]);
-    for (std::size_t n = 0; n < own.size(); ++n) nets[i][n] = points_[at(own[n])];
-    const auto entry = std::find(own.begin(), own.end(), net(t)[at(index)]) - own.begin();
+    for (std::size_t n = 0; n < own.size(); ++n) nets[i][n] = points_[index(own[n])];
+    const auto entry = std::find(own.begin(), own.end(), net(t)[index(k)]) - own.begin();
     elements.push_back({std::span<const Point>(nets[i].data(), own.size()), static_cast<int>(entry)});
   }
   const Point start = moving;
@@ -160,21 +156,21 @@ std::optional<Point> LiftedMesh::valid_place(int t, int index) {
 /// Moves the control point that has to move least.
 bool LiftedMesh::untangle_element(int t, double most_bending) {
   Box box;
-  for (int c = 0; c < 3; ++c) box.extend(points_[at(net(t)[at(c)])]);
+  for (int c = 0; c < 3; ++c) box.extend(points_[index(net(t)[index(c)])]);
   double least = most_bending * box.size();
   int moving = -1;
   Point to;
-  for (int index = 3; index < net_size(degree_); ++index) {
-    const std::optional<Point> place = valid_place(t, index);
+  for (int k = 3; k < net_size(degree_); ++k) {
+    const std::optional<Point> place = valid_place(t, k);
     if (!place) continue;
-    const double way = distance(*place, points_[at(net(t)[at(index)])]);
+    const double way = distance(*place, points_[index(net(t)[index(k)])]);
     if (way >= least) continue;
     least = way;
-    moving = net(t)[at(index)];
+    moving = net(t)[index(k)];
     to = *place;
   }
   if (moving < 0) return false;
-  points_[at(moving)] = to;
+  points_[index(moving)] = to;
   return true;
 }
 
@@ -201,7 +197,7 @@ std::vector<int> LiftedMesh::untangle(double most_bending) {
 void LiftedMesh::write(MeshData& data) const {
   const NetLayout& layout = NetLayout::of(degree_);
   std::vector<int> number(points_.size(), -1);
-  for (const int v : nets_) number[at(v)] = 0;
+  for (const int v : nets_) number[index(v)] = 0;
   data.points.clear();
   for (std::size_t v = 0; v < points_.size(); ++v) {
     if (number[v] < 0) continue;
@@ -209,21 +205,21 @@ void LiftedMesh::write(MeshData& data) const {
     data.points.push_back(points_[v]);
   }
   data.triangles.resize(nets_.size());
-  for (std::size_t n = 0; n < nets_.size(); ++n) data.triangles[n] = number[at(nets_[n])];
+  for (std::size_t n = 0; n < nets_.size(); ++n) data.triangles[n] = number[index(nets_[n])];
   data.triangle_faces = planar_.faces;
   data.constrained_edges.assign(spans_.size(), {});
   const int half_edges = static_cast<int>(planar_.twins.size());
   for (int h = 0; h < half_edges; ++h) {
     const int s = planar_.span(h);
     if (s < 0) continue;
-    ConstrainedEdge& edge = data.constrained_edges[at(s)];
-    const BoundarySpan& span = spans_[at(s)];
+    ConstrainedEdge& edge = data.constrained_edges[index(s)];
+    const BoundarySpan& span = spans_[index(s)];
     edge.curve = span.curve;
     edge.span = span.index;
-    edge.points.resize(at(degree_) + 1);
+    edge.points.resize(index(degree_) + 1);
     const bool forward = span.from == planar_.origin(h);
     for (int k = 0; k <= degree_; ++k)
-      edge.points[at(forward ? k : degree_ - k)] = number[at(net(h / 3)[at(layout.edge_index(h % 3, k))])];
+      edge.points[index(forward ? k : degree_ - k)] = number[index(net(h / 3)[index(layout.edge_index(h % 3, k))])];
   }
 }
 

@@ -40,7 +40,7 @@ class LiftedMesh {
   void bend_interior(int t, int corner, const std::array<Vector, max_degree + 1>& bend);
   bool bend_tip(int t);
   bool bend_along_curves(int t);
-  std::optional<Point> valid_place(int t, int index);
+  std::optional<Point> valid_place(int t, int k);
 
   int degree_;
   const BoundarySpans& spans_;

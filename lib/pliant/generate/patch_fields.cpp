@@ -6,13 +6,12 @@
 #include <cmath>
 
 #include "pliant/geometry/control_net.h"
+#include "pliant/geometry/index.h"
 #include "pliant/geometry/invert_map.h"
 #include "pliant/ops/build_triangle.h"
 
 namespace pliant {
 namespace {
-
-std::size_t at(std::ptrdiff_t i) { return static_cast<std::size_t>(i); }
 
 constexpr double inside = -1e-12;    // a place with these barycentric coordinates is in the element, but for rounding
 constexpr double rounding = 1e-15;   // of an integral, relative to that of the absolute values
@@ -31,8 +30,8 @@ Barycentric clamped(const Barycentric& xi) {
 void PatchFields::capture(const Mesh& mesh, std::span<const TriangleId> old) {
   degree_ = mesh.degree();
   width_ = mesh.width();
-  size_ = at(mesh.net_size());
-  count_ = at(width_ - 2);
+  size_ = index(mesh.net_size());
+  count_ = index(width_ - 2);
   if (count_ == 0) return;
   tolerance_ = mesh.tolerance();
   patch_.capture(mesh, old);
@@ -47,13 +46,13 @@ void PatchFields::capture(const Mesh& mesh, std::span<const TriangleId> old) {
   for (std::size_t e = 0; e < old.size(); ++e) {
     Box box;
     for (std::size_t k = 0; k < size_; ++k) {
-      const double* const row = rows.data() + (e * size_ + k) * at(width_);
+      const double* const row = rows.data() + (e * size_ + k) * index(width_);
       box.extend(points_[e * size_ + k] = {row[0], row[1]});
     }
     integral_weights(degree_, old_net(e), weights);
     for (std::size_t k = 0; k < size_; ++k)
       for (std::size_t c = 0; c < count_; ++c) {
-        const double value = rows[(e * size_ + k) * at(width_) + 2 + c];
+        const double value = rows[(e * size_ + k) * index(width_) + 2 + c];
         Column& column = columns_[c];
         column.integral += weights[k] * value;
         if (!column.is_linear)
@@ -72,7 +71,7 @@ void PatchFields::capture(const Mesh& mesh, std::span<const TriangleId> old) {
 void PatchFields::take_columns(const Mesh& mesh) {
   columns_.clear();
   for (int field = 0; field < static_cast<int>(mesh.fields().size()); ++field)
-    for (int c = 0; c < mesh.fields()[at(field)].components; ++c) columns_.push_back({field, c, {}, 0, 0, 0, true});
+    for (int c = 0; c < mesh.fields()[index(field)].components; ++c) columns_.push_back({field, c, {}, 0, 0, 0, true});
   const Patch::Moments moments = patch_.moments_of(none);
   const std::span<const double> rows = patch_.all_rows();
   for (std::size_t c = 0; c < count_; ++c) {
@@ -80,7 +79,7 @@ void PatchFields::take_columns(const Mesh& mesh) {
     column.linear = patch_.linear_of(static_cast<int>(c) + 2, none, moments);
     column.low = HUGE_VAL, column.high = -HUGE_VAL;
     double largest = 0;
-    for (std::size_t i = 0; i < rows.size(); i += at(width_)) {
+    for (std::size_t i = 0; i < rows.size(); i += index(width_)) {
       const double value = rows[i + 2 + c];
       column.low = std::min(column.low, value);
       column.high = std::max(column.high, value);
@@ -134,20 +133,20 @@ void PatchFields::fit_element(Mesh& mesh, TriangleId t, std::span<const PointId>
     const auto found = std::lower_bound(free.begin(), free.end(), p);
     return found != free.end() && *found == p ? found - free.begin() : -1;
   };
-  const auto wants_value = [&](PointId p) { return number_of(p) >= 0 && !is_set_[at(number_of(p))]; };
+  const auto wants_value = [&](PointId p) { return number_of(p) >= 0 && !is_set_[index(number_of(p))]; };
   std::array<Point, net_size(max_degree)> net;
   mesh.gather_points(t, net);
   const std::span<const double> coordinates{&net[0].x, 2 * size_};
-  std::vector<double> rows(size_ * count_), row(at(width_)), polygon(at(degree_ + 1) * count_);
-  const auto row_of = [&](int k) { return std::span(rows).subspan(at(k) * count_, count_); };
+  std::vector<double> rows(size_ * count_), row(index(width_)), polygon(index(degree_ + 1) * count_);
+  const auto row_of = [&](int k) { return std::span(rows).subspan(index(k) * count_, count_); };
   const auto read = [&](int k) {
-    mesh.gather_row(ids[at(k)], f, row);
+    mesh.gather_row(ids[index(k)], f, row);
     for (std::size_t c = 0; c < count_; ++c)
-      row_of(k)[c] = columns_[c].is_linear ? 0 : row[2 + c] - patch_.evaluate(columns_[c].linear, net[at(k)]);
+      row_of(k)[c] = columns_[c].is_linear ? 0 : row[2 + c] - patch_.evaluate(columns_[c].linear, net[index(k)]);
   };
   const auto write = [&](int k) {
-    put_residuals(mesh, ids[at(k)], f, row_of(k), is_limited);
-    is_set_[at(number_of(ids[at(k)]))] = 1;
+    put_residuals(mesh, ids[index(k)], f, row_of(k), is_limited);
+    is_set_[index(number_of(ids[index(k)]))] = 1;
     read(k);  // as limited
   };
   const auto sample_node = [&](int k, std::span<double> out) {
@@ -160,27 +159,27 @@ void PatchFields::fit_element(Mesh& mesh, TriangleId t, std::span<const PointId>
   };
   for (int c = 0; c < 3; ++c) {
     read(c);
-    if (!wants_value(ids[at(c)])) continue;
-    sample(net[at(c)], row_of(c));
+    if (!wants_value(ids[index(c)])) continue;
+    sample(net[index(c)], row_of(c));
     write(c);
   }
   for (int e = 0; e < 3 && degree_ > 1; ++e) {
-    const bool is_known = !wants_value(ids[at(layout.edge_index(e, 1))]);
+    const bool is_known = !wants_value(ids[index(layout.edge_index(e, 1))]);
     for (int k = 0; k <= degree_; ++k) {
-      const int index = layout.edge_index(e, k);
-      if (is_known) read(index);
-      const std::span<double> node = std::span(polygon).subspan(at(k) * count_, count_);
+      const int n = layout.edge_index(e, k);
+      if (is_known) read(n);
+      const std::span<double> node = std::span(polygon).subspan(index(k) * count_, count_);
       if (is_known || k == 0 || k == degree_)
-        std::copy_n(row_of(index).begin(), count_, node.begin());
+        std::copy_n(row_of(n).begin(), count_, node.begin());
       else
-        sample_node(index, node);
+        sample_node(n, node);
     }
     if (is_known) continue;
     interpolate_polygon(degree_, static_cast<int>(count_), polygon);
     for (int k = 1; k < degree_; ++k) {
-      const int index = layout.edge_index(e, k);
-      std::copy_n(polygon.begin() + static_cast<std::ptrdiff_t>(at(k) * count_), count_, row_of(index).begin());
-      write(index);
+      const int n = layout.edge_index(e, k);
+      std::copy_n(polygon.begin() + static_cast<std::ptrdiff_t>(index(k) * count_), count_, row_of(n).begin());
+      write(n);
     }
   }
   if (layout.first_interior() == layout.size()) return;
@@ -204,7 +203,7 @@ void PatchFields::keep_integrals(Mesh& mesh, std::span<const TriangleId> now, st
                                  bool is_limited) {
   std::array<Point, net_size(max_degree)> net;
   std::array<double, net_size(max_degree)> weights;
-  std::vector<double> total(free.size()), row(at(width_));
+  std::vector<double> total(free.size()), row(index(width_));
   const FaceId f = mesh.face(now.front());
   for (int round = 0; round < most_corrections; ++round) {
     std::vector<double> missing(count_), sizes(count_, 0.0);
@@ -216,7 +215,7 @@ void PatchFields::keep_integrals(Mesh& mesh, std::span<const TriangleId> now, st
       for (std::size_t k = 0; k < size_; ++k) {
         const PointId p = mesh.net(t)[k];
         const auto found = std::lower_bound(free.begin(), free.end(), p);
-        if (found != free.end() && *found == p) total[at(found - free.begin())] += weights[k];
+        if (found != free.end() && *found == p) total[index(found - free.begin())] += weights[k];
         mesh.gather_row(p, f, row);
         for (std::size_t c = 0; c < count_; ++c) {
           missing[c] -= weights[k] * row[2 + c];
@@ -230,8 +229,8 @@ void PatchFields::keep_integrals(Mesh& mesh, std::span<const TriangleId> now, st
       any = true;
       const Column& column = columns_[c];
       const auto value = [&](std::size_t k) -> double {
-        const Field& field = mesh.fields()[at(column.field)];
-        return field.values[at(mesh.value_index(column.field, free[k], f) + column.component)];
+        const Field& field = mesh.fields()[index(column.field)];
+        return field.values[index(mesh.value_index(column.field, free[k], f) + column.component)];
       };
       const auto put_value = [&](std::size_t k, double v) {
         mesh.put_component(column.field, column.component, free[k], f, v);

@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "pliant/mesh/mesh.h"
-#include "pliant/ops/outcome.h"
 #include "pliant/ops/refit/refit.h"
 #include "pliant/ops/refit/region_integrals.h"
+#include "pliant/ops/refit_options.h"
 
 namespace pliant {
 

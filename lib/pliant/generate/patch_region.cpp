@@ -4,6 +4,7 @@
 #include <array>
 #include <unordered_map>
 
+#include "pliant/geometry/index.h"
 #include "pliant/geometry/predicates.h"
 
 namespace pliant {
@@ -44,8 +45,8 @@ PatchRegion::PatchRegion(const Mesh& mesh, const std::vector<char>& invalid, Tri
 
 void PatchRegion::add(TriangleId t) {
   if (contains(t)) return;
-  if (at(t) >= member_.size()) member_.resize(at(mesh_.triangle_slots()), 0);
-  member_[at(t)] = 1;
+  if (index(t) >= member_.size()) member_.resize(index(mesh_.triangle_slots()), 0);
+  member_[index(t)] = 1;
   triangles_.push_back(t);
 }
 

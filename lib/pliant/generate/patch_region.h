@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "pliant/boundary/boundary_complex.h"
+#include "pliant/geometry/index.h"
 #include "pliant/mesh/mesh.h"
 
 namespace pliant {
@@ -20,13 +21,12 @@ class PatchRegion {
   bool grow(int rings);
 
   const std::vector<TriangleId>& triangles() const { return triangles_; }
-  bool contains(TriangleId t) const { return static_cast<std::size_t>(t) < member_.size() && member_[at(t)]; }
+  bool contains(TriangleId t) const { return static_cast<std::size_t>(t) < member_.size() && member_[index(t)]; }
   /// Adds an element that was split off.
   void add(TriangleId t);
 
  private:
-  static std::size_t at(TriangleId t) { return static_cast<std::size_t>(t); }
-  bool is_invalid(TriangleId t) const { return at(t) < invalid_.size() && invalid_[at(t)]; }
+  bool is_invalid(TriangleId t) const { return index(t) < invalid_.size() && invalid_[index(t)]; }
   bool add_ring();
   bool add_cluster();
   void fill_notches();

@@ -10,6 +10,7 @@
 #include "pliant/generate/mesh_from_boundary.h"
 #include "pliant/generate/patch_fields.h"
 #include "pliant/generate/patch_region.h"
+#include "pliant/geometry/index.h"
 #include "pliant/mesh/check_mesh.h"
 #include "pliant/mesh/star.h"
 #include "pliant/ops/build_triangle.h"
@@ -17,11 +18,6 @@
 
 namespace pliant {
 namespace {
-
-template <class I>
-std::size_t at(I i) {
-  return static_cast<std::size_t>(i);
-}
 
 bool is_in_order(const BoundaryComplex& complex) {
   return check_boundary(complex).empty() && check_boundary_geometry(complex).empty() &&
@@ -102,7 +98,7 @@ bool Replacement::split(const BorderEdge& edge, std::span<const double> breaks, 
     if (h == none) return false;
     const double s = (breaks[k] - breaks[k - 1]) / (breaks.back() - breaks[k - 1]);
     const InsertResult made = split_edge(mesh_, h, s, SplitCheck::stays_valid);
-    if (made.refusal != Refusal::done) return false;
+    if (made.outcome != Outcome::done) return false;
     for (const HalfEdgeId half :
          {find_half_edge(mesh_, vertices.back(), made.vertex), find_half_edge(mesh_, made.vertex, edge.to)}) {
       region_.add(triangle_of(half));
@@ -117,15 +113,15 @@ bool Replacement::split(const BorderEdge& edge, std::span<const double> breaks, 
 
 /// The vertices of the mesh at the corners of the piece; `none` for new ones.
 void Replacement::number_vertices() {
-  points_.assign(at(piece_.point_slots()), none);
+  points_.assign(index(piece_.point_slots()), none);
   for (const LoneVertex& lone : piece_.lone_vertices())
-    if (lone.point != none) points_[at(lone.point)] = boundary_.vertices[at(lone.vertex)];
+    if (lone.point != none) points_[index(lone.point)] = boundary_.vertices[index(lone.vertex)];
   for (HalfEdgeId h = 0; h < 3 * piece_.triangle_slots(); ++h) {
     if (!piece_.is_constrained(h)) continue;
     const auto [curve, k] = span_of(h);
     const bool forward = piece_.runs_forward(h);
-    points_[at(piece_.origin(h))] = vertices_[curve][forward ? k : k + 1];
-    points_[at(piece_.target(h))] = vertices_[curve][forward ? k + 1 : k];
+    points_[index(piece_.origin(h))] = vertices_[curve][forward ? k : k + 1];
+    points_[index(piece_.target(h))] = vertices_[curve][forward ? k + 1 : k];
   }
 }
 
@@ -140,7 +136,7 @@ bool Replacement::stays(PointId a, PointId b) const {
 bool Replacement::joins_twice() const {
   for (HalfEdgeId h = 0; h < 3 * piece_.triangle_slots(); ++h) {
     if (piece_.is_constrained(h) || piece_.twin(h) < h) continue;
-    const PointId a = points_[at(piece_.origin(h))], b = points_[at(piece_.target(h))];
+    const PointId a = points_[index(piece_.origin(h))], b = points_[index(piece_.target(h))];
     if (a != none && b != none && stays(a, b)) return true;
   }
   return false;
@@ -174,9 +170,9 @@ void Replacement::remove() {
 
 std::pair<std::size_t, std::size_t> Replacement::span_of(HalfEdgeId h) const {
   const ConstraintId c = piece_.constraint(h);
-  const auto curve = at(piece_.constraint_curve(c));
+  const auto curve = index(piece_.constraint_curve(c));
   const std::vector<double>& breaks = breaks_[curve];
-  return {curve, at(std::lower_bound(breaks.begin(), breaks.end(), piece_.constraint_start(c)) - breaks.begin())};
+  return {curve, index(std::lower_bound(breaks.begin(), breaks.end(), piece_.constraint_start(c)) - breaks.begin())};
 }
 
 Replacement::BorderPiece& Replacement::piece_at(HalfEdgeId h) {
@@ -190,27 +186,29 @@ void Replacement::build() {
     if (!piece_.is_constrained(h)) continue;
     const EdgePoints& edge = piece_at(h).side.points;
     const bool forward = piece_.runs_forward(h);
-    for (int k = 0; k <= p; ++k) points_[at(piece_.edge_point(h, k))] = edge[forward ? k : p - k];
+    for (int k = 0; k <= p; ++k) points_[index(piece_.edge_point(h, k))] = edge[forward ? k : p - k];
   }
   for (PointId q = 0; q < piece_.point_slots(); ++q) {
-    if (points_[at(q)] != none) continue;
-    points_[at(q)] = mesh_.add_point();
-    mesh_.set_point(points_[at(q)], piece_.point(q));
-    free_.push_back(points_[at(q)]);
+    if (points_[index(q)] != none) continue;
+    points_[index(q)] = mesh_.add_point();
+    mesh_.set_point(points_[index(q)], piece_.point(q));
+    free_.push_back(points_[index(q)]);
   }
   for (TriangleId t = 0; t < piece_.triangle_slots(); ++t) {
     now_.push_back(mesh_.add_triangle(face_));
-    for (int k = 0; k < mesh_.net_size(); ++k) mesh_.set_net_point(now_.back(), k, points_[at(piece_.net(t)[at(k)])]);
-    for (int c = 0; c < 3; ++c) mesh_.set_vertex_half_edge(points_[at(piece_.corner(t, c))], half_edge(now_.back(), c));
+    for (int k = 0; k < mesh_.net_size(); ++k)
+      mesh_.set_net_point(now_.back(), k, points_[index(piece_.net(t)[index(k)])]);
+    for (int c = 0; c < 3; ++c)
+      mesh_.set_vertex_half_edge(points_[index(piece_.corner(t, c))], half_edge(now_.back(), c));
   }
   for (HalfEdgeId h = 0; h < 3 * piece_.triangle_slots(); ++h) {
-    const HalfEdgeId own = half_edge(now_[at(triangle_of(h))], edge_of(h));
+    const HalfEdgeId own = half_edge(now_[index(triangle_of(h))], edge_of(h));
     if (piece_.is_constrained(h)) {
       BorderPiece& beside = piece_at(h);
       (piece_.runs_forward(h) ? beside.along : beside.against) = own;
     } else if (piece_.twin(h) > h) {
       const HalfEdgeId g = piece_.twin(h);
-      mesh_.link(own, half_edge(now_[at(triangle_of(g))], edge_of(g)));
+      mesh_.link(own, half_edge(now_[index(triangle_of(g))], edge_of(g)));
     }
   }
   for (BorderPiece& piece : border_) {
@@ -249,11 +247,11 @@ RemeshPatchCounts remesh_invalid(Mesh& mesh, const RefitOptions& refit) {
   for (const auto* list : {&found.invalid, &found.degenerate}) seeds.insert(seeds.end(), list->begin(), list->end());
   if (seeds.empty()) return counts;
   std::sort(seeds.begin(), seeds.end());
-  std::vector<char> invalid(at(mesh.triangle_slots()), 0);
-  for (const TriangleId t : seeds) invalid[at(t)] = 1;
+  std::vector<char> invalid(index(mesh.triangle_slots()), 0);
+  for (const TriangleId t : seeds) invalid[index(t)] = 1;
   std::vector<char> given_up(invalid.size(), 0);
   for (const TriangleId seed : seeds) {
-    if (!invalid[at(seed)] || given_up[at(seed)]) continue;
+    if (!invalid[index(seed)] || given_up[index(seed)]) continue;
     PatchRegion region(mesh, invalid, seed);
     bool done = false, grows = true;
     for (int rings = 1; grows; rings *= 2) {
@@ -262,11 +260,11 @@ RemeshPatchCounts remesh_invalid(Mesh& mesh, const RefitOptions& refit) {
       grows = region.grow(rings);
     }
     for (const TriangleId t : region.triangles()) {
-      if (at(t) >= invalid.size()) continue;
+      if (index(t) >= invalid.size()) continue;
       if (done)
-        invalid[at(t)] = 0;
+        invalid[index(t)] = 0;
       else
-        given_up[at(t)] = 1;
+        given_up[index(t)] = 1;
     }
   }
   counts.left = std::count(invalid.begin(), invalid.end(), 1);

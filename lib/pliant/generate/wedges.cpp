@@ -6,6 +6,7 @@
 
 #include "pliant/generate/tame_spans.h"
 #include "pliant/geometry/control_net.h"
+#include "pliant/geometry/index.h"
 
 namespace pliant {
 namespace {
@@ -14,20 +15,18 @@ constexpr double same_radius = 1e-12;  // relative: ends that are as far from a 
 constexpr double few_ulps = 1e-14;     // of a coordinate: what a parameter in the last place moves a point by, too
 constexpr double most_tilt = 0.2;      // of what joins two such ends, against the circle around the corner
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
 }  // namespace
 
 Wedges::Wedges(const BoundaryComplex& boundary, const BoundarySpans& spans) : spans_(spans) {
   const auto vertices = static_cast<int>(boundary.vertices.size());
-  std::vector<std::vector<std::pair<int, Vector>>> leaving(at(vertices));
+  std::vector<std::vector<std::pair<int, Vector>>> leaving(index(vertices));
   for (std::size_t i = 0; i < spans_.size(); ++i)
     for (const int node : {spans_[i].from, spans_[i].to})
       if (node < vertices)
-        leaving[at(node)].emplace_back(spans_[i].curve, tangent_at_end(spans_.polygon(i), node == spans_[i].from));
+        leaving[index(node)].emplace_back(spans_[i].curve, tangent_at_end(spans_.polygon(i), node == spans_[i].from));
   for (int node = 0; node < vertices; ++node)
-    for (const auto& [a, along_a] : leaving[at(node)])
-      for (const auto& [b, along_b] : leaving[at(node)]) {
+    for (const auto& [a, along_a] : leaving[index(node)])
+      for (const auto& [b, along_b] : leaving[index(node)]) {
         if (a >= b || !is_narrow(along_a, along_b)) continue;
         corners_[{a, b}].push_back(node);
         corners_of_[a].push_back(node);
@@ -40,7 +39,7 @@ Wedges::Wedges(const BoundaryComplex& boundary, const BoundarySpans& spans) : sp
 int Wedges::nearest(std::size_t i, const std::vector<int>& corners) const {
   const Box box = spans_.box(i);
   const Point middle = 0.5 * (box.low + box.high);
-  const auto away = [&](int node) { return distance(spans_.nodes()[at(node)], middle); };
+  const auto away = [&](int node) { return distance(spans_.nodes()[index(node)], middle); };
   return *std::min_element(corners.begin(), corners.end(), [&](int a, int b) { return away(a) < away(b); });
 }
 
@@ -51,7 +50,7 @@ int Wedges::corner_between(std::size_t i, std::size_t j) const {
 
 std::optional<std::array<Wedges::End, 2>> Wedges::ends(std::size_t i, int corner) const {
   const std::span<const Point> polygon = spans_.polygon(i);
-  const Point& from = spans_.nodes()[at(corner)];
+  const Point& from = spans_.nodes()[index(corner)];
   std::array<End, 2> both{End{distance(polygon.front(), from), polygon.front()},
                           End{distance(polygon.back(), from), polygon.back()}};
   const double sign = both[1].radius > both[0].radius ? 1 : -1;
@@ -71,7 +70,7 @@ bool Wedges::are_level(const End& a, const End& b) const {
 
 double Wedges::place_at(std::size_t i, int corner, double radius) const {
   const std::span<const Point> polygon = spans_.polygon(i);
-  const Point& from = spans_.nodes()[at(corner)];
+  const Point& from = spans_.nodes()[index(corner)];
   const bool leads_away = distance(polygon.front(), from) < distance(polygon.back(), from);
   std::vector<double> flat;
   for (const Point& b : polygon) flat.insert(flat.end(), {b.x, b.y});

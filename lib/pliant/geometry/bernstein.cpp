@@ -9,17 +9,17 @@
 #include <numeric>
 #include <vector>
 
+#include "pliant/geometry/index.h"
+
 namespace pliant {
 namespace {
-
-constexpr std::size_t at(int n) { return static_cast<std::size_t>(n); }
 
 using Powers = std::array<double, max_net_degree + 1>;
 
 Powers powers(double x, int degree) {
   Powers result;
   result[0] = 1;
-  for (int n = 1; n <= degree; ++n) result[at(n)] = result[at(n - 1)] * x;
+  for (int n = 1; n <= degree; ++n) result[index(n)] = result[index(n - 1)] * x;
   return result;
 }
 
@@ -28,7 +28,7 @@ Powers binomials(int degree) {
   assert(degree <= max_net_degree);
   Powers result;
   result[0] = 1;
-  for (int k = 1; k <= degree; ++k) result[at(k)] = result[at(k - 1)] * (degree + 1 - k) / k;
+  for (int k = 1; k <= degree; ++k) result[index(k)] = result[index(k - 1)] * (degree + 1 - k) / k;
   return result;
 }
 
@@ -51,82 +51,84 @@ std::vector<double> build_mass_matrix(int degree) {
 }  // namespace
 
 void bernstein_basis(int degree, double s, std::span<double> values) {
-  assert(degree <= max_net_degree && values.size() >= at(degree + 1));
+  assert(degree <= max_net_degree && values.size() >= index(degree + 1));
   const Powers c = binomials(degree);
   const Powers a = powers(1 - s, degree);
   const Powers b = powers(s, degree);
-  for (int k = 0; k <= degree; ++k) values[at(k)] = c[at(k)] * a[at(degree - k)] * b[at(k)];
+  for (int k = 0; k <= degree; ++k) values[index(k)] = c[index(k)] * a[index(degree - k)] * b[index(k)];
 }
 
 void bernstein_basis(int degree, const Barycentric& xi, std::span<double> values) {
   const NetLayout& layout = NetLayout::of(degree);
-  assert(values.size() >= at(layout.size()));
+  assert(values.size() >= index(layout.size()));
   const Powers a = powers(xi[0], degree);
   const Powers b = powers(xi[1], degree);
   const Powers c = powers(xi[2], degree);
   for (int n = 0; n < layout.size(); ++n) {
     const auto& e = layout.exponents(n);
-    values[at(n)] = layout.multinomial(n) * a[at(e[0])] * b[at(e[1])] * c[at(e[2])];
+    values[index(n)] = layout.multinomial(n) * a[index(e[0])] * b[index(e[1])] * c[index(e[2])];
   }
 }
 
 void multiply_segment(int p, std::span<const double> a, int q, std::span<const double> b, std::span<double> product) {
-  assert(a.size() >= at(p + 1) && b.size() >= at(q + 1) && product.size() >= at(p + q + 1));
+  assert(a.size() >= index(p + 1) && b.size() >= index(q + 1) && product.size() >= index(p + q + 1));
   assert(product.data() != a.data() && product.data() != b.data());
   const Powers of_a = binomials(p);
   const Powers of_b = binomials(q);
   const Powers of_product = binomials(p + q);
   std::fill_n(product.begin(), p + q + 1, 0.0);
   for (int m = 0; m <= p; ++m)
-    for (int n = 0; n <= q; ++n) product[at(m + n)] += (of_a[at(m)] * a[at(m)]) * (of_b[at(n)] * b[at(n)]);
-  for (int k = 0; k <= p + q; ++k) product[at(k)] /= of_product[at(k)];
+    for (int n = 0; n <= q; ++n)
+      product[index(m + n)] += (of_a[index(m)] * a[index(m)]) * (of_b[index(n)] * b[index(n)]);
+  for (int k = 0; k <= p + q; ++k) product[index(k)] /= of_product[index(k)];
 }
 
 void multiply_triangle(int p, std::span<const double> a, int q, std::span<const double> b, std::span<double> product) {
   const NetLayout& of_a = NetLayout::of(p);
   const NetLayout& of_b = NetLayout::of(q);
   const NetLayout& of_product = NetLayout::of(p + q);
-  assert(a.size() >= at(of_a.size()) && b.size() >= at(of_b.size()) && product.size() >= at(of_product.size()));
+  assert(a.size() >= index(of_a.size()) && b.size() >= index(of_b.size()) &&
+         product.size() >= index(of_product.size()));
   assert(product.data() != a.data() && product.data() != b.data());
   std::fill_n(product.begin(), of_product.size(), 0.0);
   for (int m = 0; m < of_a.size(); ++m) {
     const auto& e = of_a.exponents(m);
-    const double factor = of_a.multinomial(m) * a[at(m)];
+    const double factor = of_a.multinomial(m) * a[index(m)];
     for (int n = 0; n < of_b.size(); ++n) {
       const auto& f = of_b.exponents(n);
-      product[at(of_product.index(e[0] + f[0], e[1] + f[1]))] += factor * (of_b.multinomial(n) * b[at(n)]);
+      product[index(of_product.index(e[0] + f[0], e[1] + f[1]))] += factor * (of_b.multinomial(n) * b[index(n)]);
     }
   }
-  for (int k = 0; k < of_product.size(); ++k) product[at(k)] /= of_product.multinomial(k);
+  for (int k = 0; k < of_product.size(); ++k) product[index(k)] /= of_product.multinomial(k);
 }
 
 double integrate_segment(int degree, std::span<const double> a) {
-  assert(a.size() >= at(degree + 1));
+  assert(a.size() >= index(degree + 1));
   return std::accumulate(a.begin(), a.begin() + degree + 1, 0.0) / (degree + 1);
 }
 
 double integrate_triangle(int degree, std::span<const double> a) {
-  assert(a.size() >= at(net_size(degree)));
+  assert(a.size() >= index(net_size(degree)));
   return std::accumulate(a.begin(), a.begin() + net_size(degree), 0.0) / (2 * net_size(degree));
 }
 
 void differentiate_segment(int degree, std::span<const double> a, std::span<double> derivative) {
-  assert(degree >= 1 && a.size() >= at(degree + 1) && derivative.size() >= at(degree));
-  for (int k = 0; k < degree; ++k) derivative[at(k)] = degree * (a[at(k + 1)] - a[at(k)]);
+  assert(degree >= 1 && a.size() >= index(degree + 1) && derivative.size() >= index(degree));
+  for (int k = 0; k < degree; ++k) derivative[index(k)] = degree * (a[index(k + 1)] - a[index(k)]);
 }
 
 void differentiate_triangle(int degree, std::span<const double> a, std::span<double> along_2,
                             std::span<double> along_3) {
   const NetLayout& layout = NetLayout::of(degree);
   const NetLayout& lower = NetLayout::of(degree - 1);
-  assert(a.size() >= at(layout.size()));
-  assert(along_2.size() >= at(lower.size()) && along_3.size() >= at(lower.size()));
+  assert(a.size() >= index(layout.size()));
+  assert(along_2.size() >= index(lower.size()) && along_3.size() >= index(lower.size()));
   assert(a.data() != along_2.data() && a.data() != along_3.data());
   for (int n = 0; n < lower.size(); ++n) {
     const auto [i, j, k] = lower.exponents(n);
-    const double from = a[at(layout.index(i + 1, j))];
-    along_2[at(n)] = degree * (a[at(layout.index(i, j + 1))] - from);
-    along_3[at(n)] = degree * (a[at(layout.index(i, j))] - from);
+    const double from = a[index(layout.index(i + 1, j))];
+    along_2[index(n)] = degree * (a[index(layout.index(i, j + 1))] - from);
+    along_3[index(n)] = degree * (a[index(layout.index(i, j))] - from);
   }
 }
 
@@ -135,8 +137,8 @@ std::span<const double> mass_matrix(int degree) {
   static std::array<std::once_flag, greatest + 1> built;
   static std::array<std::vector<double>, greatest + 1> matrices;
   assert(0 <= degree && degree <= greatest);
-  std::call_once(built[at(degree)], [degree] { matrices[at(degree)] = build_mass_matrix(degree); });
-  return matrices[at(degree)];
+  std::call_once(built[index(degree)], [degree] { matrices[index(degree)] = build_mass_matrix(degree); });
+  return matrices[index(degree)];
 }
 
 }  // namespace pliant

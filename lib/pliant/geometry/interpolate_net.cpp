@@ -9,36 +9,35 @@
 
 #include "pliant/geometry/bernstein.h"
 #include "pliant/geometry/control_net.h"
+#include "pliant/geometry/index.h"
 
 namespace pliant {
 namespace {
 
-constexpr std::size_t at(int n) { return static_cast<std::size_t>(n); }
-
 /// The inverse of an n x n matrix, row-major, by Gauss-Jordan with row exchanges.
 std::vector<double> inverse(int n, const std::vector<double>& matrix) {
   std::vector<long double> a(matrix.begin(), matrix.end());
-  std::vector<long double> b(at(n * n), 0.0L);
-  for (int r = 0; r < n; ++r) b[at(r * n + r)] = 1;
+  std::vector<long double> b(index(n * n), 0.0L);
+  for (int r = 0; r < n; ++r) b[index(r * n + r)] = 1;
   for (int c = 0; c < n; ++c) {
     int pivot = c;
     for (int r = c + 1; r < n; ++r)
-      if (std::fabs(a[at(r * n + c)]) > std::fabs(a[at(pivot * n + c)])) pivot = r;
+      if (std::fabs(a[index(r * n + c)]) > std::fabs(a[index(pivot * n + c)])) pivot = r;
     for (int x = 0; x < n; ++x) {
-      std::swap(a[at(c * n + x)], a[at(pivot * n + x)]);
-      std::swap(b[at(c * n + x)], b[at(pivot * n + x)]);
+      std::swap(a[index(c * n + x)], a[index(pivot * n + x)]);
+      std::swap(b[index(c * n + x)], b[index(pivot * n + x)]);
     }
-    const long double scale = 1 / a[at(c * n + c)];
+    const long double scale = 1 / a[index(c * n + c)];
     for (int x = 0; x < n; ++x) {
-      a[at(c * n + x)] *= scale;
-      b[at(c * n + x)] *= scale;
+      a[index(c * n + x)] *= scale;
+      b[index(c * n + x)] *= scale;
     }
     for (int r = 0; r < n; ++r) {
-      const long double factor = a[at(r * n + c)];
+      const long double factor = a[index(r * n + c)];
       if (r == c || factor == 0) continue;
       for (int x = 0; x < n; ++x) {
-        a[at(r * n + x)] -= factor * a[at(c * n + x)];
-        b[at(r * n + x)] -= factor * b[at(c * n + x)];
+        a[index(r * n + x)] -= factor * a[index(c * n + x)];
+        b[index(r * n + x)] -= factor * b[index(c * n + x)];
       }
     }
   }
@@ -72,7 +71,7 @@ Collocation collocate(int boundary, const std::vector<std::vector<double>>& basi
 Collocation collocate_polygon(int degree) {
   std::vector<std::vector<double>> basis;
   for (int k = 1; k < degree; ++k) {
-    std::vector<double> values(at(degree + 1));
+    std::vector<double> values(index(degree + 1));
     bernstein_basis(degree, static_cast<double>(k) / degree, values);
     std::vector<double> row{values.front(), values.back()};
     row.insert(row.end(), values.begin() + 1, values.end() - 1);
@@ -86,7 +85,7 @@ Collocation collocate_net(int degree) {
   std::vector<std::vector<double>> basis;
   for (int n = layout.first_interior(); n < layout.size(); ++n) {
     const auto [i, j, k] = layout.exponents(n);
-    std::vector<double> row(at(layout.size()));
+    std::vector<double> row(index(layout.size()));
     const double p = degree;
     bernstein_basis(degree, Barycentric{i / p, j / p, k / p}, row);
     basis.push_back(row);
@@ -99,53 +98,53 @@ const Collocation& collocation(int degree) {
   static std::array<std::once_flag, max_degree + 1> built;
   static std::array<Collocation, max_degree + 1> all;
   assert(2 <= degree && degree <= max_degree);
-  std::call_once(built[at(degree)], [degree] { all[at(degree)] = build(degree); });
-  return all[at(degree)];
+  std::call_once(built[index(degree)], [degree] { all[index(degree)] = build(degree); });
+  return all[index(degree)];
 }
 
 }  // namespace
 
 void interpolate_polygon(int degree, int width, std::span<double> polygon) {
-  assert(polygon.size() >= at((degree + 1) * width));
+  assert(polygon.size() >= index((degree + 1) * width));
   if (degree < 2) return;
   const Collocation& c = collocation<collocate_polygon>(degree);
   std::array<double, max_degree> rest;
   for (int x = 0; x < width; ++x) {
     // Only the departure from the chord is multiplied by the inverse: a straight edge stays straight, and far from the
     // origin nothing is lost.
-    const double first = polygon[at(x)];
-    const double last = polygon[at(degree * width + x)];
+    const double first = polygon[index(x)];
+    const double last = polygon[index(degree * width + x)];
     const auto chord = [&](int k) { return ((degree - k) * first + k * last) / degree; };
-    for (int k = 1; k < degree; ++k) rest[at(k - 1)] = polygon[at(k * width + x)] - chord(k);
+    for (int k = 1; k < degree; ++k) rest[index(k - 1)] = polygon[index(k * width + x)] - chord(k);
     for (int k = 1; k < degree; ++k) {
       double sum = 0;
-      for (int n = 0; n < c.interior; ++n) sum += c.inverse_matrix[at((k - 1) * c.interior + n)] * rest[at(n)];
-      polygon[at(k * width + x)] = chord(k) + sum;
+      for (int n = 0; n < c.interior; ++n) sum += c.inverse_matrix[index((k - 1) * c.interior + n)] * rest[index(n)];
+      polygon[index(k * width + x)] = chord(k) + sum;
     }
   }
 }
 
 void interpolate_interior(int degree, int width, std::span<double> net) {
-  assert(net.size() >= at(net_size(degree) * width));
+  assert(net.size() >= index(net_size(degree) * width));
   if (degree < 3) return;
   const Collocation& c = collocation<collocate_net>(degree);
   const NetLayout& layout = NetLayout::of(degree);
   std::array<double, interior_size(max_degree)> rest;
   for (int x = 0; x < width; ++x) {
     // Departures from the straight triangle, for the same reason as above.
-    const auto value = [&](int n) -> double& { return net[at(n * width + x)]; };
+    const auto value = [&](int n) -> double& { return net[index(n * width + x)]; };
     const auto flat = [&](int n) {
       const auto [i, j, k] = layout.exponents(n);
       return (i * value(0) + j * value(1) + k * value(2)) / degree;
     };
     for (int n = 0; n < c.interior; ++n) {
       double sum = value(c.boundary + n) - flat(c.boundary + n);
-      for (int m = 3; m < c.boundary; ++m) sum -= c.boundary_matrix[at(n * c.boundary + m)] * (value(m) - flat(m));
-      rest[at(n)] = sum;
+      for (int m = 3; m < c.boundary; ++m) sum -= c.boundary_matrix[index(n * c.boundary + m)] * (value(m) - flat(m));
+      rest[index(n)] = sum;
     }
     for (int n = 0; n < c.interior; ++n) {
       double sum = 0;
-      for (int m = 0; m < c.interior; ++m) sum += c.inverse_matrix[at(n * c.interior + m)] * rest[at(m)];
+      for (int m = 0; m < c.interior; ++m) sum += c.inverse_matrix[index(n * c.interior + m)] * rest[index(m)];
       value(c.boundary + n) = flat(c.boundary + n) + sum;
     }
   }

@@ -9,11 +9,12 @@
 #include <utility>
 #include <vector>
 
+#include "pliant/geometry/index.h"
+
 namespace pliant {
 namespace {
 
 constexpr int greatest_exact_degree = 40;
-constexpr std::size_t at(int n) { return static_cast<std::size_t>(n); }
 using Real = long double;  // so that nodes and weights are doubles to the last bit or so
 
 /// A polynomial's value and derivative at a point of [-1, 1].
@@ -37,7 +38,7 @@ Value legendre(int n, Real x) {
 template <class Polynomial>
 std::vector<Real> roots_of(int n, const Polynomial& polynomial, Real outside) {
   std::vector<Real> roots;
-  while (roots.size() < at(n)) {
+  while (roots.size() < index(n)) {
     Real x = roots.empty() ? -1 : roots.back() + 1e-6L;
     for (int step = 0; step < 200; ++step) {
       const Value f = polynomial(x);
@@ -130,7 +131,7 @@ std::span<const Node> rule_of(int degree) {
   static std::array<std::once_flag, greatest_exact_degree + 1> built;
   static std::array<std::vector<Node>, greatest_exact_degree + 1> rules;
   assert(degree <= greatest_exact_degree);
-  const std::size_t n = at(degree < 0 ? 0 : degree);
+  const std::size_t n = index(degree < 0 ? 0 : degree);
   std::call_once(built[n], [n] { rules[n] = build(static_cast<int>(n)); });
   return rules[n];
 }

@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "pliant/geometry/index.h"
 #include "pliant/improve/coarsening/independent_set.h"
 #include "pliant/improve/coarsening/local_feature_size.h"
 #include "pliant/improve/coarsening/removal_chain.h"
@@ -23,8 +24,6 @@ constexpr int most_rounds = 40;    // of choosing what stays
 constexpr int most_attempts = 5;   // to find what must stay so that refine leaves what it left
 constexpr long worthwhile = 1000;  // a round is worth another if it removed one vertex in so many triangles
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
 class Coarsener {
  public:
   /// `frozen`: by point slot, what stays whatever happens.
@@ -38,8 +37,8 @@ class Coarsener {
                 accepted_shape(options.goals),
                 options.uses_forecast},
         chain_(mesh, limits_, slated_),
-        changed_(at(mesh.point_slots()), 0) {
-    for (std::vector<Memory>& each : memories_) each.resize(at(mesh.point_slots()));
+        changed_(index(mesh.point_slots()), 0) {
+    for (std::vector<Memory>& each : memories_) each.resize(index(mesh.point_slots()));
   }
 
   PassReport run() {
@@ -74,12 +73,12 @@ class Coarsener {
     const std::vector<CurveChain> chains = curve_chains(mesh_);
     roles_ = vertex_roles(mesh_, chains, options_.polygon_tolerance);
     for (PointId v = 0; v < mesh_.point_slots(); ++v)
-      if (frozen_[at(v)]) roles_[at(v)] = VertexRole::kept;
+      if (frozen_[index(v)]) roles_[index(v)] = VertexRole::kept;
     std::vector<PointId> stuck;
     for (const PointId v : stuck_) {
       if (!mesh_.is_vertex(v)) continue;
-      if (roles_[at(v)] == VertexRole::curve) roles_[at(v)] = VertexRole::kept;
-      if (roles_[at(v)] == VertexRole::inner) stuck.push_back(v);
+      if (roles_[index(v)] == VertexRole::curve) roles_[index(v)] = VertexRole::kept;
+      if (roles_[index(v)] == VertexRole::inner) stuck.push_back(v);
     }
     std::vector<double> bounds = longest_edges();
     for (double& bound : bounds) bound *= growth;
@@ -92,20 +91,21 @@ class Coarsener {
     const std::vector<double> spacing = wanted_spacing(mesh_, graph, chains, roles_, options_.goals, bounds, gradation);
     const std::vector<bool> chosen = independent_set(mesh_, graph, chains, roles_, spacing, stuck, options_.factor);
     slated_.assign(chosen.size(), false);
-    for (PointId v = 0; v < mesh_.point_slots(); ++v) slated_[at(v)] = mesh_.is_vertex(v) && !chosen[at(v)];
+    for (PointId v = 0; v < mesh_.point_slots(); ++v) slated_[index(v)] = mesh_.is_vertex(v) && !chosen[index(v)];
   }
   /// At each vertex.
   std::vector<double> longest_edges() const {
-    std::vector<double> longest(at(mesh_.point_slots()), 0);
+    std::vector<double> longest(index(mesh_.point_slots()), 0);
     for (HalfEdgeId h = 0; h < 3 * mesh_.triangle_slots(); ++h) {
       if (!mesh_.is_alive(triangle_of(h))) continue;
       if (mesh_.twin(h) > h) continue;  // each edge once
       const double length = edge_length(h);
-      for (const PointId v : {mesh_.origin(h), mesh_.target(h)}) longest[at(v)] = std::max(longest[at(v)], length);
+      for (const PointId v : {mesh_.origin(h), mesh_.target(h)})
+        longest[index(v)] = std::max(longest[index(v)], length);
     }
     return longest;
   }
-  bool is_slated(PointId v) const { return slated_[at(v)] && mesh_.is_vertex(v); }
+  bool is_slated(PointId v) const { return slated_[index(v)] && mesh_.is_vertex(v); }
 
   /// One by one; what was refused is tried again when something around it has changed.
   void remove_slated() {
@@ -115,7 +115,7 @@ class Coarsener {
     while (!queue.empty()) {
       waiting_.clear();
       for (const PointId v : queue) {
-        is_waiting_[at(v)] = false;
+        is_waiting_[index(v)] = false;
         if (is_slated(v)) remove(v);
       }
       std::swap(queue, waiting_);
@@ -132,7 +132,7 @@ class Coarsener {
     const HilbertOrder order(mesh_.box(), 16);
     std::vector<std::pair<std::uint64_t, PointId>> places;
     for (PointId v = 0; v < mesh_.point_slots(); ++v)
-      if (slated_[at(v)]) places.emplace_back(order(mesh_.point(v)), v);
+      if (slated_[index(v)]) places.emplace_back(order(mesh_.point(v)), v);
     std::sort(places.begin(), places.end());
     std::vector<PointId> slated;
     for (const auto& [place, v] : places) slated.push_back(v);
@@ -144,7 +144,7 @@ class Coarsener {
       refused_.push_back(v);
       return;
     }
-    const RemovalRefusal refusal = chain_.remove(v, roles_[at(v)] != VertexRole::inner);
+    const RemovalRefusal refusal = chain_.remove(v, roles_[index(v)] != VertexRole::inner);
     if (refusal.reason != nullptr) {
       remember(v, refusal);
       refused_.push_back(v);
@@ -152,7 +152,7 @@ class Coarsener {
     }
     ++clock_;
     for (const PointId gone : chain_.removed())
-      ++(roles_[at(gone)] == VertexRole::inner ? inner_removals_ : curve_removals_);
+      ++(roles_[index(gone)] == VertexRole::inner ? inner_removals_ : curve_removals_);
     removed_.insert(removed_.end(), chain_.removed().begin(), chain_.removed().end());
     largest_error_ = std::max(largest_error_, chain_.error());
     integral_change_ = std::max(integral_change_, chain_.integral_change());
@@ -161,7 +161,7 @@ class Coarsener {
 
   /// A removal that was refused would be refused again as long as what decided it has not changed.
   void remember(PointId v, const RemovalRefusal& refusal) {
-    Memory& memory = memories_[at(parity_)][at(v)];
+    Memory& memory = memories_[index(parity_)][index(v)];
     memory.refusal = refusal;
     memory.when = clock_;
     memory.decided_by.clear();
@@ -169,27 +169,27 @@ class Coarsener {
     by.assign(chain_.decided_by().begin(), chain_.decided_by().end());
     std::sort(by.begin(), by.end());
     by.erase(std::unique(by.begin(), by.end()), by.end());
-    for (const PointId w : by) memory.decided_by.push_back(2 * w + (slated_[at(w)] ? 1 : 0));
+    for (const PointId w : by) memory.decided_by.push_back(2 * w + (slated_[index(w)] ? 1 : 0));
   }
   bool remembers(PointId v) const {
-    const Memory& memory = memories_[at(parity_)][at(v)];
+    const Memory& memory = memories_[index(parity_)][index(v)];
     return memory.refusal.reason != nullptr &&
            std::all_of(memory.decided_by.begin(), memory.decided_by.end(), [&](PointId noted) {
              const PointId w = noted / 2;
-             return changed_[at(w)] <= memory.when && slated_[at(w)] == (noted % 2 != 0);
+             return changed_[index(w)] <= memory.when && slated_[index(w)] == (noted % 2 != 0);
            });
   }
 
   /// What lies around the last removal is tried once more.
   void note_changes() {
-    for (const PointId w : chain_.along_curves()) changed_[at(w)] = clock_;
+    for (const PointId w : chain_.along_curves()) changed_[index(w)] = clock_;
     for (const TriangleId t : chain_.around()) {
       if (!mesh_.is_alive(t)) continue;
       for (int c = 0; c < 3; ++c) {
         const PointId w = mesh_.corner(t, c);
-        changed_[at(w)] = clock_;
-        if (!is_slated(w) || is_waiting_[at(w)]) continue;
-        is_waiting_[at(w)] = true;
+        changed_[index(w)] = clock_;
+        if (!is_slated(w) || is_waiting_[index(w)]) continue;
+        is_waiting_[index(w)] = true;
         waiting_.push_back(w);
       }
     }
@@ -211,7 +211,7 @@ class Coarsener {
     report.add("integral_change", integral_change_);
     report.add("triangles", mesh_.triangle_count());
     for (const PointId v : refused_) {
-      const RemovalRefusal& refusal = memories_[at(parity_)][at(v)].refusal;
+      const RemovalRefusal& refusal = memories_[index(parity_)][index(v)].refusal;
       report.refuse((refusal.is_refinement ? "would be refined again: " : "") + std::string(refusal.reason),
                     mesh_.point(v));
     }
@@ -254,7 +254,7 @@ bool freeze(const Mesh& mesh, const std::vector<PointId>& removed, const std::ve
     if (std::any_of(awakened.begin(), awakened.end(), [&](const LeftByRefine::Awakened& each) {
           return distance(each.place, mesh.point(v)) <= std::ldexp(each.reach, attempt);
         }))
-      frozen[at(v)] = any = true;
+      frozen[index(v)] = any = true;
   return any;
 }
 
@@ -262,7 +262,7 @@ bool freeze(const Mesh& mesh, const std::vector<PointId>& removed, const std::ve
 
 PassReport coarsen(Mesh& mesh, const CoarsenOptions& options) {
   LeftByRefine left(mesh, options.goals);
-  std::vector<bool> frozen(at(mesh.point_slots()), false);
+  std::vector<bool> frozen(index(mesh.point_slots()), false);
   for (int attempt = 0;; ++attempt) {
     Coarsener coarsener(mesh, options, frozen);
     PassReport report = coarsener.run();

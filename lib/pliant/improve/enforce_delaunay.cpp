@@ -97,12 +97,12 @@ Point middle_of(const Mesh& mesh, HalfEdgeId h) {
 /// Of the edges that still want their flip, those that did not get it; why and where.
 void list_refused(const Mesh& mesh, const std::vector<HalfEdgeId>& wanted, const std::vector<RefusedEdge>& refused,
                   PassReport& report) {
-  std::map<std::pair<PointId, PointId>, Refusal> last;
+  std::map<std::pair<PointId, PointId>, Outcome> last;
   for (const RefusedEdge& edge : refused) last[std::minmax(edge.origin, edge.target)] = edge.reason;
   for (const HalfEdgeId h : wanted) {
     const PointId from = mesh.origin(h), to = mesh.target(h);
-    const Refusal reason = last.at(std::minmax(from, to));
-    if (reason != Refusal::done) report.refuse(describe(reason), middle_of(mesh, h));
+    const Outcome reason = last.at(std::minmax(from, to));
+    if (reason != Outcome::done) report.refuse(describe(reason), middle_of(mesh, h));
   }
 }
 

@@ -2,7 +2,7 @@
 #pragma once
 #include "pliant/mesh/mesh.h"
 #include "pliant/mesh/pass_report.h"
-#include "pliant/ops/outcome.h"
+#include "pliant/ops/refit_options.h"
 
 namespace pliant {
 

@@ -45,29 +45,29 @@ bool straighten_around(Mesh& mesh, HalfEdgeId h, const RefitOptions& refit) {
 
 /// A flip that leaves no badly bent edge: where the elements leave little room, the valid place for its control points
 /// may be far outside, and bends beget bends.
-Refusal flip_straight(Mesh& mesh, HalfEdgeId h, const RefitOptions& refit) {
+Outcome flip_straight(Mesh& mesh, HalfEdgeId h, const RefitOptions& refit) {
   Transaction transaction(mesh);
   const bool was_bad = is_bent(mesh, h, bad);
-  const Refusal refusal = flip_edge(mesh, h, refit);
-  if (refusal != Refusal::done) return refusal;
+  const Outcome outcome = flip_edge(mesh, h, refit);
+  if (outcome != Outcome::done) return outcome;
   if (is_bent(mesh, h)) {
     straighten_around(mesh, h, refit);
-    if (!was_bad && is_bent(mesh, h, bad)) return Refusal::would_bend;
+    if (!was_bad && is_bent(mesh, h, bad)) return Outcome::would_bend;
   }
   transaction.commit();
-  return Refusal::done;
+  return Outcome::done;
 }
 
 /// The flip, if need be after the bent edges of both triangles are straightened; the mesh is unchanged if it is
 /// refused.
-Refusal straighten_and_flip(Mesh& mesh, HalfEdgeId h, const RefitOptions& refit) {
-  const Refusal first = flip_straight(mesh, h, refit);
-  if (first == Refusal::done) return first;
+Outcome straighten_and_flip(Mesh& mesh, HalfEdgeId h, const RefitOptions& refit) {
+  const Outcome first = flip_straight(mesh, h, refit);
+  if (first == Outcome::done) return first;
   Transaction transaction(mesh);
   if (!straighten_around(mesh, h, refit)) return first;
-  const Refusal refusal = flip_straight(mesh, h, refit);
-  if (refusal == Refusal::done) transaction.commit();
-  return refusal;
+  const Outcome outcome = flip_straight(mesh, h, refit);
+  if (outcome == Outcome::done) transaction.commit();
+  return outcome;
 }
 
 }  // namespace
@@ -82,7 +82,7 @@ bool straighten_bent(Mesh& mesh, std::vector<HalfEdgeId>& edges, const RefitOpti
   const std::size_t bent = edges.size();
   for (std::size_t before = bent + 1; !edges.empty() && edges.size() < before;) {
     before = edges.size();
-    std::erase_if(edges, [&](HalfEdgeId h) { return straighten_edge(mesh, h, 0, refit) == Refusal::done; });
+    std::erase_if(edges, [&](HalfEdgeId h) { return straighten_edge(mesh, h, 0, refit) == Outcome::done; });
   }
   bool any = edges.size() < bent;
   for (const HalfEdgeId h : edges)  // what is left hangs together, as a rule, and fails together
@@ -111,7 +111,7 @@ EdgeState edge_state(const Point& a, const Point& b, const Point& c, const Point
   return flips_to_positive() ? EdgeState::not_delaunay : EdgeState::inverted;
 }
 
-void LegalizeCounts::refuse(Refusal reason) {
+void LegalizeCounts::refuse(Outcome reason) {
   for (auto& [known, count] : refusals)
     if (known == reason) {
       ++count;
@@ -126,17 +126,17 @@ void legalize(Mesh& mesh, std::vector<HalfEdgeId>& stack, const RefitOptions& re
     const HalfEdgeId h = stack.back();
     stack.pop_back();
     if (!mesh.is_alive(triangle_of(h)) || !wants_flip(edge_state(mesh, h))) continue;
-    const auto list = [&](Refusal reason) {
+    const auto list = [&](Outcome reason) {
       if (counts.lists_edges) counts.refused_edges.push_back({mesh.origin(h), mesh.target(h), reason});
     };
     if (max_flips >= 0 && counts.flips >= max_flips) {
-      list(Refusal::done);
+      list(Outcome::done);
       continue;
     }
-    const Refusal refusal = straightens ? straighten_and_flip(mesh, h, refit) : flip_edge(mesh, h, refit);
-    if (refusal != Refusal::done) {
-      counts.refuse(refusal);
-      list(refusal);
+    const Outcome outcome = straightens ? straighten_and_flip(mesh, h, refit) : flip_edge(mesh, h, refit);
+    if (outcome != Outcome::done) {
+      counts.refuse(outcome);
+      list(outcome);
       continue;
     }
     ++counts.flips;

@@ -4,6 +4,7 @@
 
 #include "pliant/mesh/mesh.h"
 #include "pliant/ops/outcome.h"
+#include "pliant/ops/refit_options.h"
 
 namespace pliant {
 
@@ -32,14 +33,14 @@ bool is_bent_inside(const Mesh& mesh, HalfEdgeId h);
 /// An edge that wanted its flip, named by its vertices: half-edges are others after the next flip.
 struct RefusedEdge {
   PointId origin, target;
-  Refusal reason;  ///< done: not tried, since as many edges were flipped as asked
+  Outcome reason;  ///< done: not tried, since as many edges were flipped as asked
 };
 struct LegalizeCounts {
   long flips = 0;
-  std::vector<std::pair<Refusal, long>> refusals;
+  std::vector<std::pair<Outcome, long>> refusals;
   bool lists_edges = false;
   std::vector<RefusedEdge> refused_edges;  ///< if they are listed; what happened to one last is last
-  void refuse(Refusal reason);
+  void refuse(Outcome reason);
 };
 /// Flips the edges on the stack, and what their flips disturb, until all are locally Delaunay or refused. Empties the
 /// stack. Terminates: a Delaunay flip lowers the lifted volume strictly and leaves positive triangles, a flip of what

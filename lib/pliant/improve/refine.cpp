@@ -161,7 +161,7 @@ class Round {
     if (mesh_.face(k) != mesh_.face(t)) return refuse("its circumcentre lies beyond a curve");
     const InsertResult inserted =
         insert_point(mesh_, k, location->xi, search_.edge_tolerance(k, location->xi, nearest));
-    if (inserted.refusal != Refusal::done) return refuse(describe(inserted.refusal));
+    if (inserted.outcome != Outcome::done) return refuse(describe(inserted.outcome));
     ++tally_.insertions;
     settle(inserted.vertex);
     return true;
@@ -202,8 +202,8 @@ class Round {
     const bool on_curve = mesh_.is_constrained(h);
     const PointId first = mesh_.origin(h), last = mesh_.target(h);
     const InsertResult result = split_edge(mesh_, h, place);
-    if (result.refusal != Refusal::done) {
-      refuse(describe(result.refusal));
+    if (result.outcome != Outcome::done) {
+      refuse(describe(result.outcome));
       return none;
     }
     ++(on_curve ? tally_.splits : tally_.insertions);

@@ -9,6 +9,7 @@
 #include <tuple>
 #include <utility>
 
+#include "pliant/geometry/index.h"
 #include "pliant/improve/smoothing/smoothing_moves.h"
 #include "pliant/ops/build_triangle.h"
 #include "pliant/ops/insert_point.h"
@@ -21,8 +22,6 @@ constexpr int most_rounds = 10;    // of splits, or of straight triangles turned
 constexpr int child_rounds = 3;    // of smoothing the elements that a split makes
 constexpr int most_searches = 4;   // of a valid element: they cost more than all the rest
 constexpr int most_failures = 4;   // visits of a valid element that find nothing, whatever changes around it
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 struct Entry {
   double excess;
@@ -89,26 +88,26 @@ class Smoother {
   /// Visits these elements, and what their change makes worth a visit, until nothing improves.
   void work(std::span<const TriangleId> elements) {
     if (elements.empty()) return;
-    visits_.assign(at(mesh_.triangle_slots()), 0);
-    last_.assign(at(mesh_.triangle_slots()), 0);
-    searches_.resize(at(mesh_.triangle_slots()), 0);
-    changed_.resize(at(mesh_.triangle_slots()), 0);
-    failed_.resize(at(mesh_.triangle_slots()), 0);
-    failures_.resize(at(mesh_.triangle_slots()), 0);
+    visits_.assign(index(mesh_.triangle_slots()), 0);
+    last_.assign(index(mesh_.triangle_slots()), 0);
+    searches_.resize(index(mesh_.triangle_slots()), 0);
+    changed_.resize(index(mesh_.triangle_slots()), 0);
+    failed_.resize(index(mesh_.triangle_slots()), 0);
+    failures_.resize(index(mesh_.triangle_slots()), 0);
     for (const TriangleId t : elements)
       if (const double excess = moves_.movable_excess(t); excess > 1 && is_worth_a_visit(t)) queue_.push({excess, t});
     while (!queue_.empty()) {
       const Entry entry = queue_.top();
       queue_.pop();
       const TriangleId t = entry.triangle;
-      if (visits_[at(t)] >= options_.max_sweeps) continue;
+      if (visits_[index(t)] >= options_.max_sweeps) continue;
       const double before = moves_.movable_excess(t);
-      if (before <= 1 || (before < tangled_excess && failures_[at(t)] >= most_failures)) continue;
+      if (before <= 1 || (before < tangled_excess && failures_[index(t)] >= most_failures)) continue;
       if (before < entry.excess) {  // better than when it was queued: its turn comes later
         queue_.push({before, t});
         continue;
       }
-      ++visits_[at(t)];
+      ++visits_[index(t)];
       if (options_.progress != nullptr) options_.progress->count(++visited_);
       visit(t, before);
     }
@@ -158,21 +157,21 @@ class Smoother {
   }
 
   void note_changed(std::span<const TriangleId> elements) {
-    changed_.resize(at(mesh_.triangle_slots()), 0);
+    changed_.resize(index(mesh_.triangle_slots()), 0);
     ++clock_;
     for (const TriangleId t : elements) {
-      changed_[at(t)] = clock_;
+      changed_[index(t)] = clock_;
       unsplit_.erase(t);
     }
   }
   /// Has anything around the element changed since its last visit failed?
   bool is_worth_a_visit(TriangleId t) const {
-    if (failed_[at(t)] == 0) return true;
+    if (failed_[index(t)] == 0) return true;
     Star star;
     for (int c = 0; c < 3; ++c) {
       find_star(mesh_, mesh_.corner(t, c), star);
       for (const HalfEdgeId h : star.outgoing)
-        if (changed_[at(triangle_of(h))] > failed_[at(t)]) return true;
+        if (changed_[index(triangle_of(h))] > failed_[index(t)]) return true;
     }
     return false;
   }
@@ -207,13 +206,13 @@ class Smoother {
     if (options_.vertices && !is_mended()) changed = moves_.move_vertices(t) || changed;
     // A valid element whose straight triangle is turned over is for flips and refinement: no place of its points helps.
     const auto is_worth_a_search = [&] {
-      return before >= tangled_excess || (!moves_.is_turned_over(t) && searches_[at(t)]++ < most_searches);
+      return before >= tangled_excess || (!moves_.is_turned_over(t) && searches_[index(t)]++ < most_searches);
     };
     if (!changed && is_worth_a_search()) changed = moves_.search_places(t);
     if (!changed) {
-      last_[at(t)] = before;
-      failed_[at(t)] = clock_;
-      ++failures_[at(t)];
+      last_[index(t)] = before;
+      failed_[index(t)] = clock_;
+      ++failures_[index(t)];
       return;
     }
     is_changed_ = true;
@@ -223,10 +222,10 @@ class Smoother {
     suspects_.insert(suspects_.end(), touched.begin(), touched.end());
     note_changed(touched);
     for (const TriangleId u : touched) {
-      const double excess = moves_.movable_excess(u), last = last_[at(u)];
+      const double excess = moves_.movable_excess(u), last = last_[index(u)];
       if (excess > 1 && std::fabs(excess - last) > progress * last) queue_.push({excess, u});
     }
-    last_[at(t)] = moves_.movable_excess(t);
+    last_[index(t)] = moves_.movable_excess(t);
   }
 
   std::vector<TriangleId> still_curved() const {
@@ -250,7 +249,7 @@ class Smoother {
     };
     if (std::none_of(left_.begin(), left_.end(), matters)) return;
     outcome_.input.emplace(mesh_);
-    for (PointId p = 0; p < mesh_.point_slots(); ++p) outcome_.input->set_point(p, places[at(p)]);
+    for (PointId p = 0; p < mesh_.point_slots(); ++p) outcome_.input->set_point(p, places[index(p)]);
     std::vector<std::pair<double, TriangleId>> others;
     const SmoothingMoves then(*outcome_.input, options_);
     for (const TriangleId t : poor)
@@ -277,7 +276,7 @@ class Smoother {
       moves_.forget_touched();
       Transaction trial(mesh_);
       const InsertResult made = split_edge(mesh_, h, 0.5);
-      if (made.refusal != Refusal::done) continue;
+      if (made.outcome != Outcome::done) continue;
       Star star;
       find_star(mesh_, made.vertex, star);
       std::vector<TriangleId> children;

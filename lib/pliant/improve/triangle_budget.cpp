@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "pliant/boundary/boundary_spans.h"
+#include "pliant/geometry/index.h"
 #include "pliant/geometry/validity/jacobian.h"
 #include "pliant/improve/refining/refine_attack.h"
 
@@ -19,8 +20,6 @@ constexpr double places = 100'000;  // at which the size function is evaluated, 
 constexpr int most_rows = 100;      // of places in a triangle
 constexpr double most_edges = 3;    // that a triangle has on curves
 constexpr double quadrature = 0.5;  // of the sum over a size that varies: what coarse places may miss
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 std::string in_digits(double value) {
   std::array<char, 32> text;
@@ -77,7 +76,7 @@ LeastCount by_area(const Mesh& mesh, const QualityGoals& goals) {
   for (TriangleId t = 0; t < mesh.triangle_slots(); ++t) {
     if (!mesh.is_alive(t)) continue;
     mesh.gather_points(t, net);
-    areas[at(mesh.face(t))] += element_area(mesh.degree(), {net.data(), at(mesh.net_size())});
+    areas[index(mesh.face(t))] += element_area(mesh.degree(), {net.data(), index(mesh.net_size())});
   }
   LeastCount all;
   double most = 0;
@@ -116,9 +115,9 @@ double least_turning(const Mesh& mesh, HalfEdgeId h) {
   mesh.gather_edge_points(h, polygon);
   const int p = mesh.degree();
   int first = 1, last = p - 1;
-  while (first < p && polygon[at(first)] == polygon[0]) ++first;
-  while (last > 0 && polygon[at(last)] == polygon[at(p)]) --last;
-  const Vector from = polygon[at(first)] - polygon[0], to = polygon[at(p)] - polygon[at(last)];
+  while (first < p && polygon[index(first)] == polygon[0]) ++first;
+  while (last > 0 && polygon[index(last)] == polygon[index(p)]) --last;
+  const Vector from = polygon[index(first)] - polygon[0], to = polygon[index(p)] - polygon[index(last)];
   return std::fabs(std::atan2(cross(from, to), dot(from, to)));
 }
 
@@ -126,7 +125,7 @@ LeastCount by_turning(const Mesh& mesh, const QualityGoals& goals) {
   std::vector<double> turning(mesh.boundary().curves.size(), 0);
   for (HalfEdgeId h = 0; h < 3 * mesh.triangle_slots(); ++h)
     if (mesh.is_alive(triangle_of(h)) && mesh.is_constrained(h) && mesh.twin(h) < h)
-      turning[at(mesh.constraint_curve(mesh.constraint(h)))] += least_turning(mesh, h);
+      turning[index(mesh.constraint_curve(mesh.constraint(h)))] += least_turning(mesh, h);
   LeastCount all;
   double most = 0;
   for (std::size_t c = 0; c < turning.size(); ++c) {

@@ -6,15 +6,11 @@
 #include <cstdint>
 #include <numeric>
 
+#include "pliant/geometry/index.h"
 #include "pliant/geometry/net_layout.h"
 
 namespace pliant {
 namespace {
-
-template <class I>
-constexpr std::size_t at(I i) {
-  return static_cast<std::size_t>(i);
-}
 
 /// What a point is used for. Inside an edge that has one triangle so far it is a half-edge; inside one that has both,
 /// `paired` of it, so that a third is noticed without a look at twins.
@@ -40,7 +36,7 @@ HalfEdges::HalfEdges(const MeshData& data) : HalfEdges(data, data.degree == 1) {
 HalfEdges HalfEdges::by_vertices(const MeshData& data) { return HalfEdges(data, true); }
 
 HalfEdges::HalfEdges(const MeshData& data, bool by_vertices)
-    : data_(&data), n_(at(net_size(data.degree))), count_(static_cast<HalfEdgeId>(3 * data.triangle_faces.size())) {
+    : data_(&data), n_(index(net_size(data.degree))), count_(static_cast<HalfEdgeId>(3 * data.triangle_faces.size())) {
   is_sound_ = !by_vertices && pair_by_inner_points() && is_each_star_simple() && is_each_edge_the_only_one();
   if (!is_sound_) pair_by_vertices();
 }
@@ -51,14 +47,16 @@ void HalfEdges::fetch_for([[maybe_unused]] TriangleId t) const {
 #ifdef __GNUC__
   constexpr TriangleId far = 32, near = 16;
   const int inner = data_->degree - 1;
-  const auto use_in = [&](TriangleId u, int e) { return &use_[at(data_->triangles[at(u) * n_ + 3 + at(e * inner)])]; };
+  const auto use_in = [&](TriangleId u, int e) {
+    return &use_[index(data_->triangles[index(u) * n_ + 3 + index(e * inner)])];
+  };
   for (int e = 0; 3 * (t + far) < count_ && e < 3; ++e) __builtin_prefetch(use_in(t + far, e), 1);
   for (int e = 0; 3 * (t + near) < count_ && e < 3; ++e) {
     const HalfEdgeId g = *use_in(t + near, e);
     if (g < 0) continue;
-    __builtin_prefetch(&data_->triangles[at(triangle_of(g)) * n_]);
-    __builtin_prefetch(&twins_[at(g)], 1);
-    __builtin_prefetch(&data_->triangle_faces[at(triangle_of(g))]);
+    __builtin_prefetch(&data_->triangles[index(triangle_of(g)) * n_]);
+    __builtin_prefetch(&twins_[index(g)], 1);
+    __builtin_prefetch(&data_->triangle_faces[index(triangle_of(g))]);
   }
 #endif
 }
@@ -67,43 +65,43 @@ void HalfEdges::fetch_for([[maybe_unused]] TriangleId t) const {
 bool HalfEdges::pair_by_inner_points() {
   const NetLayout& layout = NetLayout::of(data_->degree);
   const int inner = data_->degree - 1;
-  twins_.assign(at(count_), none);
+  twins_.assign(index(count_), none);
   use_.assign(data_->points.size(), unused);
-  borders_.assign(at(count_), false);
+  borders_.assign(index(count_), false);
   for (TriangleId t = 0; 3 * t < count_; ++t) {
     fetch_for(t);
-    const PointId* const net = &data_->triangles[at(t) * n_];
+    const PointId* const net = &data_->triangles[index(t) * n_];
     for (int e = 0; e < 3; ++e) {
       const PointId from = net[e], to = net[e == 2 ? 0 : e + 1];
-      HalfEdgeId& of_corner = use_[at(from)];
+      HalfEdgeId& of_corner = use_[index(from)];
       if (from == to || (of_corner != unused && of_corner != corner)) return false;
       of_corner = corner;
       const HalfEdgeId h = half_edge(t, e);
       const PointId* const points = net + 3 + e * inner;
-      const HalfEdgeId g = use_[at(points[0])];
+      const HalfEdgeId g = use_[index(points[0])];
       for (int k = 0; k < inner; ++k) {
-        if (use_[at(points[k])] != g) return false;
-        use_[at(points[k])] = g == unused ? h : paired(h);
+        if (use_[index(points[k])] != g) return false;
+        use_[index(points[k])] = g == unused ? h : paired(h);
       }
       if (g == unused) continue;
       if (g < 0) return false;
-      const PointId* const others = &data_->triangles[at(triangle_of(g)) * n_] + 3 + edge_of(g) * inner;
+      const PointId* const others = &data_->triangles[index(triangle_of(g)) * n_] + 3 + edge_of(g) * inner;
       if (origin(g) != to || target(g) != from) return false;
       for (int k = 0; k < inner; ++k)
         if (others[inner - 1 - k] != points[k]) return false;
-      twins_[at(g)] = h;
-      twins_[at(h)] = g;
-      if (data_->triangle_faces[at(triangle_of(g))] != data_->triangle_faces[at(t)])
-        borders_[at(g)] = borders_[at(h)] = true;
+      twins_[index(g)] = h;
+      twins_[index(h)] = g;
+      if (data_->triangle_faces[index(triangle_of(g))] != data_->triangle_faces[index(t)])
+        borders_[index(g)] = borders_[index(h)] = true;
     }
     for (int k = layout.first_interior(); k < layout.size(); ++k) {
-      HalfEdgeId& of_point = use_[at(net[k])];
+      HalfEdgeId& of_point = use_[index(net[k])];
       if (of_point != unused) return false;
       of_point = inside_triangle;
     }
   }
   for (HalfEdgeId h = 0; h < count_; ++h)
-    if (twins_[at(h)] == none) borders_[at(h)] = true;
+    if (twins_[index(h)] == none) borders_[index(h)] = true;
   vertices_ = std::ranges::count(use_, corner);
   return std::ranges::find(use_, unused) == use_.end();
 }
@@ -114,27 +112,27 @@ bool HalfEdges::pair_by_inner_points() {
 /// vertices, each has one (and the genus is 0). Nothing has to be walked around for that but the loops.
 bool HalfEdges::is_each_star_simple() const {
   const TriangleId triangles = count_ / 3;
-  std::vector<TriangleId> parent(at(triangles));  // a forest whose trees are the components
+  std::vector<TriangleId> parent(index(triangles));  // a forest whose trees are the components
   std::iota(parent.begin(), parent.end(), 0);
   const auto root = [&parent](TriangleId t) {
-    while (parent[at(t)] != t) t = parent[at(t)] = parent[at(parent[at(t)])];
+    while (parent[index(t)] != t) t = parent[index(t)] = parent[index(parent[index(t)])];
     return t;
   };
   std::int64_t components = triangles, twice_edges = 0, loops = 0;
-  std::vector<bool> is_passed(at(count_));
+  std::vector<bool> is_passed(index(count_));
   for (HalfEdgeId h = 0; h < count_; ++h) {
-    const HalfEdgeId g = twins_[at(h)];
+    const HalfEdgeId g = twins_[index(h)];
     twice_edges += g == none ? 2 : 1;
     if (g > h) {
       const TriangleId a = root(triangle_of(h)), b = root(triangle_of(g));
       components -= a != b ? 1 : 0;
-      parent[at(std::max(a, b))] = std::min(a, b);
+      parent[index(std::max(a, b))] = std::min(a, b);
     }
-    if (g != none || is_passed[at(h)]) continue;
+    if (g != none || is_passed[index(h)]) continue;
     ++loops;
-    for (HalfEdgeId b = h; !is_passed[at(b)];) {
-      is_passed[at(b)] = true;
-      for (b = next(b); twins_[at(b)] != none;) b = next(twins_[at(b)]);
+    for (HalfEdgeId b = h; !is_passed[index(b)];) {
+      is_passed[index(b)] = true;
+      for (b = next(b); twins_[index(b)] != none;) b = next(twins_[index(b)]);
     }
   }
   return 2 * components - loops + twice_edges / 2 - triangles == vertices_;
@@ -149,12 +147,12 @@ bool HalfEdges::is_each_edge_the_only_one() const {
   for (HalfEdgeId h = 0; h < count_; ++h) {
     if (!is_counted(h)) continue;
     ++edges;
-    ++bucket[at(ends(h).first)];
+    ++bucket[index(ends(h).first)];
   }
   std::partial_sum(bucket.begin(), bucket.end(), bucket.begin());
   std::vector<PointId> higher(edges);
   for (HalfEdgeId h = 0; h < count_; ++h)
-    if (is_counted(h)) higher[at(--bucket[at(ends(h).first)])] = ends(h).second;
+    if (is_counted(h)) higher[index(--bucket[index(ends(h).first)])] = ends(h).second;
   for (std::size_t v = 0; v + 1 < bucket.size(); ++v)
     if (has_duplicates(std::span(higher).subspan(bucket[v], bucket[v + 1] - bucket[v]))) return false;
   return true;
@@ -162,19 +160,20 @@ bool HalfEdges::is_each_edge_the_only_one() const {
 
 void HalfEdges::pair_by_vertices() {
   use_.clear();
-  twins_.assign(at(count_), none);
+  twins_.assign(index(count_), none);
   for (std::size_t e = 0; e < uses().count(); ++e) {
     const std::span<const HalfEdgeId> all = uses().of(e);
     const HalfEdgeId h = all[0];
     if (origin(h) == target(h)) continue;
     const auto back = std::ranges::find_if(all, [&](HalfEdgeId g) { return origin(g) != origin(h); });
     if (back == all.end()) continue;
-    for (const HalfEdgeId g : all) twins_[at(g)] = origin(g) == origin(h) ? *back : h;
+    for (const HalfEdgeId g : all) twins_[index(g)] = origin(g) == origin(h) ? *back : h;
   }
-  borders_.assign(at(count_), true);
+  borders_.assign(index(count_), true);
   for (HalfEdgeId h = 0; h < count_; ++h)
     if (twin(h) != none)
-      borders_[at(h)] = data_->triangle_faces[at(triangle_of(h))] != data_->triangle_faces[at(triangle_of(twin(h)))];
+      borders_[index(h)] =
+          data_->triangle_faces[index(triangle_of(h))] != data_->triangle_faces[index(triangle_of(twin(h)))];
 }
 
 const EdgeUses& HalfEdges::uses() const {
@@ -191,7 +190,7 @@ std::array<HalfEdgeId, 2> HalfEdges::along(std::span<const PointId> edge) const 
     if (backward && found[1] == none) found[1] = h;
   };
   if (is_sound_) {
-    const HalfEdgeId h = half_edge_of(use_[at(edge[1])]);
+    const HalfEdgeId h = half_edge_of(use_[index(edge[1])]);
     if (h != none) see(h);
     if (h != none && twin(h) != none) see(twin(h));
     if (found[0] != none || found[1] != none) return found;

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "pliant/geometry/index.h"
 #include "pliant/geometry/invert_map.h"
 #include "pliant/geometry/predicates.h"
 #include "pliant/mesh/hilbert_order.h"
@@ -23,8 +24,6 @@ constexpr int max_attempts = 12;            // elements in which Newton is tried
 constexpr int max_around = 64;              // elements in which it is tried about an edge or a vertex
 constexpr long steps_to_tree = 64;          // where there is a tree: longer walks cost more than it
 constexpr long steps_per_triangle = 4;      // that making the tree costs, roughly
-
-constexpr std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 double least_of(const Barycentric& xi) { return std::min({xi[0], xi[1], xi[2]}); }
 
@@ -41,14 +40,14 @@ long Locator::most_steps() const {
 std::optional<Barycentric> Locator::invert(TriangleId t, const Point& p) const {
   std::array<Point, net_size(max_degree)> net;
   mesh_.gather_points(t, net);
-  return invert_map(mesh_.degree(), {net.data(), at(mesh_.net_size())}, p, tolerance(p));
+  return invert_map(mesh_.degree(), {net.data(), index(mesh_.net_size())}, p, tolerance(p));
 }
 
 /// As `invert`, but empty only where the element does not contain p, or breaks M3.
 std::optional<Barycentric> Locator::search(TriangleId t, const Point& p) const {
   std::array<Point, net_size(max_degree)> net;
   mesh_.gather_points(t, net);
-  const ElementSearch search = find_in_element(mesh_.degree(), {net.data(), at(mesh_.net_size())}, p, tolerance(p));
+  const ElementSearch search = find_in_element(mesh_.degree(), {net.data(), index(mesh_.net_size())}, p, tolerance(p));
   return search.answer == SearchAnswer::found ? std::optional(search.xi) : std::nullopt;
 }
 
@@ -84,15 +83,15 @@ std::optional<Location> Locator::walk(const Point& p, TriangleId hint, long most
   std::array<TriangleId, max_attempts> visited;
   int tried = 0;
   while (tried < max_attempts) {
-    visited[at(tried++)] = t;
+    visited[index(tried++)] = t;
     const auto xi = invert(t, p);
     if (!xi) return std::nullopt;
     std::array<int, 3> order{0, 1, 2};
-    std::sort(order.begin(), order.end(), [&](int a, int b) { return (*xi)[at(a)] < (*xi)[at(b)]; });
-    if ((*xi)[at(order[0])] >= -inside_tolerance) return Location{t, *xi};
+    std::sort(order.begin(), order.end(), [&](int a, int b) { return (*xi)[index(a)] < (*xi)[index(b)]; });
+    if ((*xi)[index(order[0])] >= -inside_tolerance) return Location{t, *xi};
     TriangleId to = none;
     for (const int c : order) {
-      if ((*xi)[at(c)] >= -inside_tolerance) break;
+      if ((*xi)[index(c)] >= -inside_tolerance) break;
       const HalfEdgeId across = mesh_.twin(half_edge(t, (c + 1) % 3));  // opposite corner c
       if (across == none) continue;
       TriangleId* const end = visited.data() + tried;
@@ -164,15 +163,15 @@ Location Locator::least_around(const Point& p, const Location& found) const {
     auto xi = invert(t, p);
     if (!xi || least_of(*xi) < -near_edge) xi = search(t, p);  // Newton may end in a place beyond, far from p's own
     if (!xi) return;
-    around[at(known++)] = {t, *xi};
+    around[index(known++)] = {t, *xi};
     if (t < least.triangle && least_of(*xi) >= -inside_tolerance) least = {t, *xi};
   };
   for (int k = 0; k < known; ++k) {
-    const Location here = around[at(k)];
+    const Location here = around[index(k)];
     for (int c = 0; c < 3; ++c) {
       const HalfEdgeId across = mesh_.twin(half_edge(here.triangle, (c + 1) % 3));  // opposite corner c
-      if (here.xi[at(c)] <= near_edge && across != none) consider(triangle_of(across));
-      if (here.xi[at(c)] >= 1 - 2 * near_edge)
+      if (here.xi[index(c)] <= near_edge && across != none) consider(triangle_of(across));
+      if (here.xi[index(c)] >= 1 - 2 * near_edge)
         for (const HalfEdgeId h : mesh_.pinched_half_edges(mesh_.corner(here.triangle, c))) consider(triangle_of(h));
     }
   }

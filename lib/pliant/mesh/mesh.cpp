@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <bit>
 
+#include "pliant/geometry/index.h"
 #include "pliant/mesh/mesh_log.h"
 
 namespace pliant {
@@ -18,35 +19,36 @@ Box Mesh::box() const {
 // -- control values
 
 std::ptrdiff_t Mesh::value_index(int field, PointId p, FaceId f) const {
-  const Field& data = fields_[at(field)];
+  const Field& data = fields_[index(field)];
   if (!data.by_face) return static_cast<std::ptrdiff_t>(p) * data.components;
   const auto found = places_.find(place_key(p, f));
   return found == places_.end() ? none : static_cast<std::ptrdiff_t>(found->second) * data.components;
 }
 
 void Mesh::gather_row(PointId p, FaceId f, std::span<double> row) const {
-  row[0] = points_[at(p)].x;
-  row[1] = points_[at(p)].y;
+  row[0] = points_[index(p)].x;
+  row[1] = points_[index(p)].y;
   std::size_t column = 2;
   for (std::size_t k = 0; k < fields_.size(); ++k) {
     const std::ptrdiff_t first = value_index(static_cast<int>(k), p, f);
-    for (int c = 0; c < fields_[k].components; ++c) row[column++] = first < 0 ? 0.0 : fields_[k].values[at(first + c)];
+    for (int c = 0; c < fields_[k].components; ++c)
+      row[column++] = first < 0 ? 0.0 : fields_[k].values[index(first + c)];
   }
 }
 
 void Mesh::gather(TriangleId t, std::span<double> rows) const {
-  const std::size_t width = at(width_);
+  const std::size_t width = index(width_);
   const auto ids = net(t);
   for (std::size_t n = 0; n < ids.size(); ++n) gather_row(ids[n], face(t), rows.subspan(n * width, width));
 }
 
 void Mesh::gather_points(TriangleId t, std::span<Point> points) const {
   const auto ids = net(t);
-  for (std::size_t n = 0; n < ids.size(); ++n) points[n] = points_[at(ids[n])];
+  for (std::size_t n = 0; n < ids.size(); ++n) points[n] = points_[index(ids[n])];
 }
 
 void Mesh::gather_edge_points(HalfEdgeId h, std::span<Point> points) const {
-  for (int k = 0; k <= degree_; ++k) points[at(k)] = point(edge_point(h, k));
+  for (int k = 0; k <= degree_; ++k) points[index(k)] = point(edge_point(h, k));
 }
 
 // -- recorded changes
@@ -66,9 +68,9 @@ void Mesh::put_value(std::size_t field, std::size_t i, double value) {
 }
 
 void Mesh::set_point(PointId p, const Point& position) {
-  Point& old = points_[at(p)];
-  log(Log::point_x, at(p), std::bit_cast<std::uint64_t>(old.x));
-  log(Log::point_y, at(p), std::bit_cast<std::uint64_t>(old.y));
+  Point& old = points_[index(p)];
+  log(Log::point_x, index(p), std::bit_cast<std::uint64_t>(old.x));
+  log(Log::point_y, index(p), std::bit_cast<std::uint64_t>(old.y));
   old = position;
 }
 
@@ -93,7 +95,7 @@ std::int32_t Mesh::make_place(PointId p, FaceId f) {
   } else {
     place = place_count_++;
     for (Field& field : fields_)
-      if (field.by_face) field.values.resize(at(place_count_) * at(field.components));
+      if (field.by_face) field.values.resize(index(place_count_) * index(field.components));
     log(Log::grow_places, 0, 0);
   }
   insert_place(place_key(p, f), place);
@@ -117,14 +119,14 @@ void Mesh::put_fields(PointId p, FaceId f, std::span<const double> row) {
   for (std::size_t k = 0; k < fields_.size(); ++k) {
     std::ptrdiff_t first = value_index(static_cast<int>(k), p, f);
     if (first < 0) first = static_cast<std::ptrdiff_t>(make_place(p, f)) * fields_[k].components;
-    for (int c = 0; c < fields_[k].components; ++c) put_value(k, at(first + c), row[column++]);
+    for (int c = 0; c < fields_[k].components; ++c) put_value(k, index(first + c), row[column++]);
   }
 }
 
 void Mesh::put_component(int field, int component, PointId p, FaceId f, double value) {
   std::ptrdiff_t first = value_index(field, p, f);
-  if (first < 0) first = static_cast<std::ptrdiff_t>(make_place(p, f)) * fields_[at(field)].components;
-  put_value(at(field), at(first + component), value);
+  if (first < 0) first = static_cast<std::ptrdiff_t>(make_place(p, f)) * fields_[index(field)].components;
+  put_value(index(field), index(first + component), value);
 }
 
 void Mesh::put_row(PointId p, FaceId f, std::span<const double> row) {
@@ -138,13 +140,13 @@ PointId Mesh::add_point() {
     const PointId p = free_points_.back();
     free_points_.pop_back();
     log(Log::pop_point, 0, static_cast<std::uint64_t>(p));
-    put_int(Log::vertex_half_edge, vertex_half_edges_, at(p), none);
+    put_int(Log::vertex_half_edge, vertex_half_edges_, index(p), none);
     return p;
   }
   points_.emplace_back();
   vertex_half_edges_.push_back(none);
   for (Field& field : fields_)
-    if (!field.by_face) field.values.resize(field.values.size() + at(field.components));
+    if (!field.by_face) field.values.resize(field.values.size() + index(field.components));
   log(Log::grow_points, 0, 0);
   return static_cast<PointId>(points_.size()) - 1;
 }
@@ -152,7 +154,7 @@ PointId Mesh::add_point() {
 void Mesh::free_point(PointId p) {
   if (has_by_face_)
     for (FaceId f = 0; f < static_cast<FaceId>(boundary_.faces.size()); ++f) drop_place(p, f);
-  put_int(Log::vertex_half_edge, vertex_half_edges_, at(p), free_slot);
+  put_int(Log::vertex_half_edge, vertex_half_edges_, index(p), free_slot);
   free_points_.push_back(p);
   log(Log::push_point, 0, 0);
 }
@@ -166,37 +168,37 @@ TriangleId Mesh::add_triangle(FaceId f) {
   } else {
     t = triangle_slots();
     faces_.push_back(none);
-    nets_.resize(nets_.size() + at(net_size_), none);
+    nets_.resize(nets_.size() + index(net_size_), none);
     twins_.resize(twins_.size() + 3, none);
     constraints_.resize(constraints_.size() + 3, none);
     log(Log::grow_triangles, 0, 0);
   }
-  put_int(Log::face, faces_, at(t), f);
+  put_int(Log::face, faces_, index(t), f);
   for (int e = 0; e < 3; ++e) {
-    put_int(Log::twin, twins_, at(half_edge(t, e)), none);
-    put_int(Log::constraint, constraints_, at(half_edge(t, e)), none);
+    put_int(Log::twin, twins_, index(half_edge(t, e)), none);
+    put_int(Log::constraint, constraints_, index(half_edge(t, e)), none);
   }
   ++triangle_count_;
   return t;
 }
 
 void Mesh::free_triangle(TriangleId t) {
-  put_int(Log::face, faces_, at(t), none);
+  put_int(Log::face, faces_, index(t), none);
   free_triangles_.push_back(t);
   log(Log::push_triangle, 0, 0);
   --triangle_count_;
 }
 
-void Mesh::set_net_point(TriangleId t, int index, PointId p) {
-  put_int(Log::net, nets_, at(t) * at(net_size_) + at(index), p);
+void Mesh::set_net_point(TriangleId t, int k, PointId p) {
+  put_int(Log::net, nets_, index(t) * index(net_size_) + index(k), p);
 }
 
 void Mesh::link(HalfEdgeId h, HalfEdgeId g) {
-  if (h != none) put_int(Log::twin, twins_, at(h), g);
-  if (g != none) put_int(Log::twin, twins_, at(g), h);
+  if (h != none) put_int(Log::twin, twins_, index(h), g);
+  if (g != none) put_int(Log::twin, twins_, index(g), h);
 }
 
-void Mesh::set_constraint(HalfEdgeId h, ConstraintId c) { put_int(Log::constraint, constraints_, at(h), c); }
+void Mesh::set_constraint(HalfEdgeId h, ConstraintId c) { put_int(Log::constraint, constraints_, index(h), c); }
 
 ConstraintId Mesh::add_constraint(CurveId curve, double start, PointId first) {
   ConstraintId c;
@@ -216,20 +218,20 @@ ConstraintId Mesh::add_constraint(CurveId curve, double start, PointId first) {
 }
 
 void Mesh::set_constraint_record(ConstraintId c, CurveId curve, double start, PointId first) {
-  put_int(Log::constraint_curve, constraint_curves_, at(c), curve);
-  put_int(Log::constraint_first, constraint_firsts_, at(c), first);
-  log(Log::constraint_start, at(c), std::bit_cast<std::uint64_t>(constraint_starts_[at(c)]));
-  constraint_starts_[at(c)] = start;
+  put_int(Log::constraint_curve, constraint_curves_, index(c), curve);
+  put_int(Log::constraint_first, constraint_firsts_, index(c), first);
+  log(Log::constraint_start, index(c), std::bit_cast<std::uint64_t>(constraint_starts_[index(c)]));
+  constraint_starts_[index(c)] = start;
 }
 
 void Mesh::free_constraint(ConstraintId c) {
-  put_int(Log::constraint_curve, constraint_curves_, at(c), none);
+  put_int(Log::constraint_curve, constraint_curves_, index(c), none);
   free_constraints_.push_back(c);
   log(Log::push_constraint, 0, 0);
 }
 
 void Mesh::set_vertex_half_edge(PointId v, HalfEdgeId h) {
-  put_int(Log::vertex_half_edge, vertex_half_edges_, at(v), h);
+  put_int(Log::vertex_half_edge, vertex_half_edges_, index(v), h);
   if (!pinches_.empty()) note_pinched(v, h);
 }
 
@@ -251,8 +253,8 @@ void Mesh::forget_stale_pinches() {
 template <class Change>
 void Mesh::edit_curve(CurveId c, const Change& change) {
   const std::size_t before = curve_edits_.size();
-  change(boundary_.curves[at(c)].spline, recording_ > 0 ? &curve_edits_ : nullptr);
-  for (std::size_t k = before; k < curve_edits_.size(); ++k) log(Log::curve_edit, at(c), 0);
+  change(boundary_.curves[index(c)].spline, recording_ > 0 ? &curve_edits_ : nullptr);
+  for (std::size_t k = before; k < curve_edits_.size(); ++k) log(Log::curve_edit, index(c), 0);
 }
 
 void Mesh::insert_knot(CurveId c, double t) {
@@ -270,8 +272,8 @@ void Mesh::set_curve_point(CurveId c, int i, const Point& place) {
 }
 
 void Mesh::set_removal_error(CurveId c, double error) {
-  double& old = boundary_.curves[at(c)].removal_error;
-  log(Log::removal_error, at(c), std::bit_cast<std::uint64_t>(old));
+  double& old = boundary_.curves[index(c)].removal_error;
+  log(Log::removal_error, index(c), std::bit_cast<std::uint64_t>(old));
   old = error;
 }
 
@@ -282,6 +284,6 @@ void Mesh::set_points(std::vector<Point> points) {
   points_ = std::move(points);
 }
 
-void Mesh::set_boundary_motion(CurveId c, BSpline spline) { boundary_.curves[at(c)].spline = std::move(spline); }
+void Mesh::set_boundary_motion(CurveId c, BSpline spline) { boundary_.curves[index(c)].spline = std::move(spline); }
 
 }  // namespace pliant

@@ -8,6 +8,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "pliant/geometry/index.h"
 #include "pliant/geometry/net_layout.h"
 #include "pliant/mesh/check/lone_vertices.h"
 #include "pliant/mesh/mesh_data.h"
@@ -41,23 +42,27 @@ class Mesh {
   TriangleId triangle_slots() const { return static_cast<TriangleId>(faces_.size()); }
   PointId point_slots() const { return static_cast<PointId>(points_.size()); }
   int triangle_count() const { return triangle_count_; }
-  bool is_alive(TriangleId t) const { return faces_[at(t)] >= 0; }
+  bool is_alive(TriangleId t) const { return faces_[index(t)] >= 0; }
 
   // -- topology
-  std::span<const PointId> net(TriangleId t) const { return {nets_.data() + at(t) * at(net_size_), at(net_size_)}; }
-  PointId corner(TriangleId t, int c) const { return nets_[at(t) * at(net_size_) + at(c)]; }
+  std::span<const PointId> net(TriangleId t) const {
+    return {nets_.data() + index(t) * index(net_size_), index(net_size_)};
+  }
+  PointId corner(TriangleId t, int c) const { return nets_[index(t) * index(net_size_) + index(c)]; }
   PointId origin(HalfEdgeId h) const { return corner(triangle_of(h), edge_of(h)); }
   PointId target(HalfEdgeId h) const { return origin(next(h)); }
   PointId apex(HalfEdgeId h) const { return origin(previous(h)); }
   /// The k-th control point (0..degree) along the half-edge.
-  PointId edge_point(HalfEdgeId h, int k) const { return net(triangle_of(h))[at(layout_->edge_index(edge_of(h), k))]; }
-  HalfEdgeId twin(HalfEdgeId h) const { return twins_[at(h)]; }
-  ConstraintId constraint(HalfEdgeId h) const { return constraints_[at(h)]; }
-  bool is_constrained(HalfEdgeId h) const { return constraints_[at(h)] != none; }
-  FaceId face(TriangleId t) const { return faces_[at(t)]; }
+  PointId edge_point(HalfEdgeId h, int k) const {
+    return net(triangle_of(h))[index(layout_->edge_index(edge_of(h), k))];
+  }
+  HalfEdgeId twin(HalfEdgeId h) const { return twins_[index(h)]; }
+  ConstraintId constraint(HalfEdgeId h) const { return constraints_[index(h)]; }
+  bool is_constrained(HalfEdgeId h) const { return constraints_[index(h)] != none; }
+  FaceId face(TriangleId t) const { return faces_[index(t)]; }
   /// One half-edge that leaves vertex v; none if the point is not a vertex.
-  HalfEdgeId vertex_half_edge(PointId v) const { return vertex_half_edges_[at(v)]; }
-  bool is_vertex(PointId v) const { return vertex_half_edges_[at(v)] >= 0; }
+  HalfEdgeId vertex_half_edge(PointId v) const { return vertex_half_edges_[index(v)]; }
+  bool is_vertex(PointId v) const { return vertex_half_edges_[index(v)] >= 0; }
   /// Of a *pinched* vertex, whose star has several components (half-disks): half-edges that leave it, at least one of
   /// each component; empty for every other vertex.
   std::span<const HalfEdgeId> pinched_half_edges(PointId v) const {
@@ -66,7 +71,7 @@ class Mesh {
     return found == pinches_.end() ? std::span<const HalfEdgeId>() : std::span<const HalfEdgeId>(found->second);
   }
   bool is_pinched(PointId v) const { return !pinched_half_edges(v).empty(); }
-  bool is_point_alive(PointId p) const { return vertex_half_edges_[at(p)] != free_slot; }
+  bool is_point_alive(PointId p) const { return vertex_half_edges_[index(p)] != free_slot; }
   const NetLayout& layout() const { return *layout_; }
 
   /// The mesh vertices at the places of vertices of the boundary complex in which no curve ends. They stay: no
@@ -77,16 +82,16 @@ class Mesh {
   }
 
   // -- constrained edges: a half-edge's constraint names the curve, the start of the span, and its first vertex
-  CurveId constraint_curve(ConstraintId c) const { return constraint_curves_[at(c)]; }
-  double constraint_start(ConstraintId c) const { return constraint_starts_[at(c)]; }
-  PointId constraint_first(ConstraintId c) const { return constraint_firsts_[at(c)]; }
+  CurveId constraint_curve(ConstraintId c) const { return constraint_curves_[index(c)]; }
+  double constraint_start(ConstraintId c) const { return constraint_starts_[index(c)]; }
+  PointId constraint_first(ConstraintId c) const { return constraint_firsts_[index(c)]; }
   /// True if the half-edge runs in the curve's direction.
   bool runs_forward(HalfEdgeId h) const { return origin(h) == constraint_first(constraint(h)); }
   const BoundaryComplex& boundary() const { return boundary_; }
-  const BSpline& spline(CurveId c) const { return boundary_.curves[at(c)].spline; }
+  const BSpline& spline(CurveId c) const { return boundary_.curves[index(c)].spline; }
 
   // -- control values: a row is x, y, then every component of every field
-  const Point& point(PointId p) const { return points_[at(p)]; }
+  const Point& point(PointId p) const { return points_[index(p)]; }
   int width() const { return width_; }
   const std::vector<Field>& fields() const { return fields_; }
   /// The net's rows: net_size x width.
@@ -121,7 +126,7 @@ class Mesh {
   /// A triangle of face f with an unset net and no neighbours.
   TriangleId add_triangle(FaceId f);
   void free_triangle(TriangleId t);
-  void set_net_point(TriangleId t, int index, PointId p);
+  void set_net_point(TriangleId t, int k, PointId p);
   void link(HalfEdgeId h, HalfEdgeId g);  ///< twins; either may be none
   void set_constraint(HalfEdgeId h, ConstraintId c);
   ConstraintId add_constraint(CurveId curve, double start, PointId first);
@@ -141,7 +146,7 @@ class Mesh {
   /// Positions of all control points at once (motion); not recorded.
   void set_points(std::vector<Point> points);
   void set_boundary_motion(CurveId c, BSpline spline);
-  void set_boundary_vertex(int v, const Point& p) { boundary_.vertices[at(v)] = p; }
+  void set_boundary_vertex(int v, const Point& p) { boundary_.vertices[index(v)] = p; }
 
  private:
   friend class Transaction;
@@ -152,10 +157,6 @@ class Mesh {
     std::uint32_t index;
     std::uint64_t bits;
   };
-  template <class I>
-  static constexpr std::size_t at(I i) {
-    return static_cast<std::size_t>(i);
-  }
   static std::uint64_t place_key(PointId p, FaceId f) {
     return (static_cast<std::uint64_t>(static_cast<std::uint32_t>(p)) << 32) | static_cast<std::uint32_t>(f);
   }

@@ -2,6 +2,7 @@
 // fields by face.
 #include <algorithm>
 
+#include "pliant/geometry/index.h"
 #include "pliant/mesh/half_edges.h"
 #include "pliant/mesh/mesh.h"
 #include "pliant/mesh/renumber.h"
@@ -96,31 +97,32 @@ void Mesh::connect(const MeshData& data, const HalfEdges& half_edges) {
   vertex_half_edges_.assign(data.points.size(), none);
   for (std::size_t t = data.triangle_faces.size(); t-- > 0;)
     for (int e = 3; e-- > 0;)
-      vertex_half_edges_[at(data.triangles[t * at(net_size_) + at(e)])] = half_edge(static_cast<TriangleId>(t), e);
+      vertex_half_edges_[index(data.triangles[t * index(net_size_) + index(e)])] =
+          half_edge(static_cast<TriangleId>(t), e);
 
   // Each component of an open star begins with a half-edge that has no triangle on the other side.
   std::vector<char> is_open(data.points.size(), 0);
   std::vector<PointId> pinched;
   for (HalfEdgeId h = 0; h < static_cast<HalfEdgeId>(twins_.size()); ++h) {
-    if (twins_[at(h)] != none) continue;
-    const PointId v = data.triangles[at(triangle_of(h)) * at(net_size_) + at(edge_of(h))];
-    if (is_open[at(v)] == 1) pinched.push_back(v);
-    if (is_open[at(v)] < 2) ++is_open[at(v)];
+    if (twins_[index(h)] != none) continue;
+    const PointId v = data.triangles[index(triangle_of(h)) * index(net_size_) + index(edge_of(h))];
+    if (is_open[index(v)] == 1) pinched.push_back(v);
+    if (is_open[index(v)] < 2) ++is_open[index(v)];
   }
   for (const PointId v : pinched) pinches_[v];
   for (HalfEdgeId h = 0; !pinched.empty() && h < static_cast<HalfEdgeId>(twins_.size()); ++h) {
-    if (twins_[at(h)] != none) continue;
-    const auto found = pinches_.find(data.triangles[at(triangle_of(h)) * at(net_size_) + at(edge_of(h))]);
+    if (twins_[index(h)] != none) continue;
+    const auto found = pinches_.find(data.triangles[index(triangle_of(h)) * index(net_size_) + index(edge_of(h))]);
     if (found != pinches_.end()) found->second.push_back(h);
   }
 
   std::vector<std::vector<double>> breaks(boundary_.curves.size());
   for (const ConstrainedEdge& edge : data.constrained_edges) {
-    std::vector<double>& starts = breaks[at(edge.curve)];
+    std::vector<double>& starts = breaks[index(edge.curve)];
     if (starts.empty()) starts = spline(edge.curve).breaks();
-    const ConstraintId c = add_constraint(edge.curve, starts[at(edge.span)], edge.points.front());
+    const ConstraintId c = add_constraint(edge.curve, starts[index(edge.span)], edge.points.front());
     for (const HalfEdgeId h : half_edges.along(edge.points))
-      if (h != none) constraints_[at(h)] = c;
+      if (h != none) constraints_[index(h)] = c;
   }
 }
 
@@ -138,11 +140,11 @@ MeshData Mesh::to_data() const {
     number[p] = static_cast<PointId>(data.points.size());
     data.points.push_back(points_[p]);
   }
-  data.triangles.reserve(at(triangle_count_) * at(net_size_));
-  data.triangle_faces.reserve(at(triangle_count_));
+  data.triangles.reserve(index(triangle_count_) * index(net_size_));
+  data.triangle_faces.reserve(index(triangle_count_));
   for (TriangleId t = 0; t < triangle_slots(); ++t) {
     if (!is_alive(t)) continue;
-    for (const PointId p : net(t)) data.triangles.push_back(number[at(p)]);
+    for (const PointId p : net(t)) data.triangles.push_back(number[index(p)]);
     data.triangle_faces.push_back(face(t));
   }
 
@@ -150,7 +152,7 @@ MeshData Mesh::to_data() const {
 
   std::vector<std::pair<std::array<std::int32_t, 2>, std::int32_t>> places;
   for (const auto& [key, place] : places_)
-    places.push_back({{number[at(static_cast<PointId>(key >> 32))], static_cast<FaceId>(key & 0xffffffffu)}, place});
+    places.push_back({{number[index(static_cast<PointId>(key >> 32))], static_cast<FaceId>(key & 0xffffffffu)}, place});
   std::sort(places.begin(), places.end());
   for (const Field& field : fields_) {
     Field out;
@@ -159,13 +161,13 @@ MeshData Mesh::to_data() const {
     out.by_face = field.by_face;
     out.extra = field.extra;
     const auto copy = [&](std::size_t slot) {
-      for (std::size_t c = 0; c < at(field.components); ++c)
-        out.values.push_back(field.values[slot * at(field.components) + c]);
+      for (std::size_t c = 0; c < index(field.components); ++c)
+        out.values.push_back(field.values[slot * index(field.components) + c]);
     };
     if (field.by_face) {
       for (const auto& [place, slot] : places) {
         out.places.push_back(place);
-        copy(at(slot));
+        copy(index(slot));
       }
     } else {
       for (std::size_t p = 0; p < points_.size(); ++p)

@@ -4,23 +4,22 @@
 #include <algorithm>
 #include <utility>
 
+#include "pliant/geometry/index.h"
 #include "pliant/geometry/net_layout.h"
 #include "pliant/mesh/hilbert_order.h"
 
 namespace pliant {
 namespace {
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
 void reorder_triangles(MeshData& data) {
-  const std::size_t n = at(net_size(data.degree)), count = data.triangle_faces.size();
+  const std::size_t n = index(net_size(data.degree)), count = data.triangle_faces.size();
   Box box;
   for (const Point& p : data.points) box.extend(p);
   const HilbertOrder order(box, 20);
   std::vector<std::pair<std::uint64_t, std::size_t>> places;
   places.reserve(count);
   for (std::size_t t = 0; t < count; ++t) {
-    const auto corner = [&](std::size_t c) { return data.points[at(data.triangles[t * n + c])]; };
+    const auto corner = [&](std::size_t c) { return data.points[index(data.triangles[t * n + c])]; };
     places.emplace_back(order((1.0 / 3) * (corner(0) + corner(1) + corner(2))), t);
   }
   std::sort(places.begin(), places.end());
@@ -42,7 +41,7 @@ std::vector<PointId> numbers_by_use(const MeshData& data) {
   std::vector<PointId> number(data.points.size(), none);
   PointId next = 0;
   for (const PointId p : data.triangles)
-    if (number[at(p)] == none) number[at(p)] = next++;
+    if (number[index(p)] == none) number[index(p)] = next++;
   for (PointId& p : number)
     if (p == none) p = next++;
   return number;
@@ -54,19 +53,19 @@ void permute(std::vector<T>& values, std::size_t width, const std::vector<PointI
   std::vector<T> moved(values.size());
   for (std::size_t k = 0; k < number.size(); ++k)
     std::copy_n(values.begin() + static_cast<std::ptrdiff_t>(k * width), width,
-                moved.begin() + static_cast<std::ptrdiff_t>(at(number[k]) * width));
+                moved.begin() + static_cast<std::ptrdiff_t>(index(number[k]) * width));
   values = std::move(moved);
 }
 
 void renumber_places(Field& field, const std::vector<PointId>& number) {
-  for (auto& place : field.places) place[0] = number[at(place[0])];
+  for (auto& place : field.places) place[0] = number[index(place[0])];
   std::vector<PointId> sorted(field.places.size()), rank(sorted.size());
   for (std::size_t k = 0; k < sorted.size(); ++k) sorted[k] = static_cast<PointId>(k);
   std::sort(sorted.begin(), sorted.end(),
-            [&](PointId a, PointId b) { return field.places[at(a)] < field.places[at(b)]; });
-  for (std::size_t k = 0; k < sorted.size(); ++k) rank[at(sorted[k])] = static_cast<PointId>(k);
+            [&](PointId a, PointId b) { return field.places[index(a)] < field.places[index(b)]; });
+  for (std::size_t k = 0; k < sorted.size(); ++k) rank[index(sorted[k])] = static_cast<PointId>(k);
   permute(field.places, 1, rank);
-  permute(field.values, at(field.components), rank);
+  permute(field.values, index(field.components), rank);
 }
 
 }  // namespace
@@ -75,14 +74,14 @@ void renumber_along_hilbert(MeshData& data) {
   reorder_triangles(data);
   const std::vector<PointId> number = numbers_by_use(data);
   permute(data.points, 1, number);
-  for (PointId& p : data.triangles) p = number[at(p)];
+  for (PointId& p : data.triangles) p = number[index(p)];
   for (ConstrainedEdge& edge : data.constrained_edges)
-    for (PointId& p : edge.points) p = number[at(p)];
+    for (PointId& p : edge.points) p = number[index(p)];
   for (Field& field : data.fields) {
     if (field.by_face)
       renumber_places(field, number);
     else
-      permute(field.values, at(field.components), number);
+      permute(field.values, index(field.components), number);
   }
 }
 

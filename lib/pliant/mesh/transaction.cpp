@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <bit>
 
+#include "pliant/geometry/index.h"
 #include "pliant/mesh/mesh_log.h"
 
 namespace pliant {
@@ -48,7 +49,7 @@ void Mesh::undo(std::size_t mark) {
         break;
       case Log::grow_triangles:
         faces_.pop_back();
-        nets_.resize(nets_.size() - at(net_size_));
+        nets_.resize(nets_.size() - index(net_size_));
         twins_.resize(twins_.size() - 3);
         constraints_.resize(constraints_.size() - 3);
         break;
@@ -56,7 +57,7 @@ void Mesh::undo(std::size_t mark) {
         points_.pop_back();
         vertex_half_edges_.pop_back();
         for (Field& field : fields_)
-          if (!field.by_face) field.values.resize(field.values.size() - at(field.components));
+          if (!field.by_face) field.values.resize(field.values.size() - index(field.components));
         break;
       case Log::grow_constraints:
         constraint_curves_.pop_back();
@@ -66,7 +67,7 @@ void Mesh::undo(std::size_t mark) {
       case Log::grow_places:
         --place_count_;
         for (Field& field : fields_)
-          if (field.by_face) field.values.resize(at(place_count_) * at(field.components));
+          if (field.by_face) field.values.resize(index(place_count_) * index(field.components));
         break;
       case Log::pop_triangle:
         free_triangles_.push_back(integer);

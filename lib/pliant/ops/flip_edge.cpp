@@ -28,25 +28,25 @@ bool turns_left(const Mesh& mesh, const EdgePoints& into, const EdgePoints& out)
 
 }  // namespace
 
-Refusal flip_edge(Mesh& mesh, HalfEdgeId h, const RefitOptions& options) {
+Outcome flip_edge(Mesh& mesh, HalfEdgeId h, const RefitOptions& options) {
   HalfEdgeId g = mesh.twin(h);
-  if (g == none) return Refusal::outer_boundary;
+  if (g == none) return Outcome::outer_boundary;
   if (g < h) std::swap(g, h);  // whether a search finds a place must not depend on the side that was asked
-  if (mesh.is_constrained(h)) return Refusal::constrained;
+  if (mesh.is_constrained(h)) return Outcome::constrained;
   const TriangleId t = triangle_of(h), u = triangle_of(g);
   const PointId a = mesh.origin(h), b = mesh.target(h), c = mesh.apex(h), d = mesh.apex(g);
   const Point &pa = mesh.point(a), &pb = mesh.point(b), &pc = mesh.point(c), &pd = mesh.point(d);
   // One of the old logical triangles may be turned over: the flip mends that.
   if (orient2d(pa, pd, pc) <= 0 || orient2d(pd, pb, pc) <= 0 ||
       (orient2d(pa, pb, pc) <= 0 && orient2d(pb, pa, pd) <= 0))
-    return Refusal::not_convex;
-  if (c == d || are_joined(mesh, c, d)) return Refusal::edge_exists;
+    return Outcome::not_convex;
+  if (c == d || are_joined(mesh, c, d)) return Outcome::edge_exists;
 
   const Side bc = side_of(mesh, next(h)), ca = side_of(mesh, previous(h));
   const Side ad = side_of(mesh, next(g)), db = side_of(mesh, previous(g));
   for (const auto& [into, out] : {std::pair(&ca, &ad), std::pair(&db, &bc)})
     if (!turns_left(mesh, into->points, out->points))
-      return into->constraint != none && out->constraint != none ? Refusal::covers_corner : Refusal::bent_side;
+      return into->constraint != none && out->constraint != none ? Outcome::covers_corner : Outcome::bent_side;
 
   Transaction transaction(mesh);
   thread_local Patch patch;
@@ -70,10 +70,10 @@ Refusal flip_edge(Mesh& mesh, HalfEdgeId h, const RefitOptions& options) {
     free[count++] = inner_t[static_cast<std::size_t>(k)];
     free[count++] = inner_u[static_cast<std::size_t>(k)];
   }
-  if (!patch.fit_geometry(mesh, pair, {free.data(), count}, options.straight_below)) return Refusal::would_invert;
-  if (!patch.fit_fields(mesh, pair, {free.data(), count}, options)) return Refusal::loses_integral;
+  if (!patch.fit_geometry(mesh, pair, {free.data(), count}, options.straight_below)) return Outcome::would_invert;
+  if (!patch.fit_fields(mesh, pair, {free.data(), count}, options)) return Outcome::loses_integral;
   transaction.commit();
-  return Refusal::done;
+  return Outcome::done;
 }
 
 }  // namespace pliant

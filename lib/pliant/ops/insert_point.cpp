@@ -87,9 +87,9 @@ InsertResult insert_inside(Mesh& mesh, TriangleId t, const Barycentric& xi) {
     put_inner_rows(mesh, children[k], f, pieces);
   }
   mesh.set_vertex_half_edge(v, half_edge(t, 2));
-  if (!all_valid(mesh, children)) return {Refusal::would_invert, none};
+  if (!all_valid(mesh, children)) return {Outcome::would_invert, none};
   transaction.commit();
-  return {Refusal::done, v};
+  return {Outcome::done, v};
 }
 
 /// The split of an edge from a to b at a new vertex x: of the triangles on its sides, and of the curve that it lies on.
@@ -241,24 +241,24 @@ bool EdgeSplit::is_valid() const {
 
 InsertResult insert_point(Mesh& mesh, TriangleId t, const Barycentric& xi, double edge_tolerance) {
   const auto least = std::min_element(xi.begin(), xi.end());
-  if (!(xi[0] + xi[1] + xi[2] < 2) || *least < -edge_tolerance - outside_by) return {Refusal::not_in_domain, none};
+  if (!(xi[0] + xi[1] + xi[2] < 2) || *least < -edge_tolerance - outside_by) return {Outcome::not_in_domain, none};
   if (*least >= edge_tolerance) return insert_inside(mesh, t, xi);
   const int corner = static_cast<int>(least - xi.begin());
   const int edge = (corner + 1) % 3;  // opposite
   const double from = xi[static_cast<std::size_t>(edge)], to = xi[static_cast<std::size_t>((edge + 1) % 3)];
   const double s = to / (from + to);
-  if (!(s > edge_tolerance && s < 1 - edge_tolerance)) return {Refusal::edge_exists, none};  // the point is a vertex
+  if (!(s > edge_tolerance && s < 1 - edge_tolerance)) return {Outcome::edge_exists, none};  // the point is a vertex
   return split_edge(mesh, half_edge(t, edge), s);
 }
 
 InsertResult split_edge(Mesh& mesh, HalfEdgeId h, double s, SplitCheck check) {
-  if (!(s > 0 && s < 1)) return {Refusal::not_in_domain, none};
+  if (!(s > 0 && s < 1)) return {Outcome::not_in_domain, none};
   Transaction transaction(mesh);
   EdgeSplit split(mesh, h, s, check);
   split.split_sides();
-  if (!split.split_curve() || !split.is_valid()) return {Refusal::would_invert, none};
+  if (!split.split_curve() || !split.is_valid()) return {Outcome::would_invert, none};
   transaction.commit();
-  return {Refusal::done, split.vertex()};
+  return {Outcome::done, split.vertex()};
 }
 
 }  // namespace pliant

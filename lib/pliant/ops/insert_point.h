@@ -6,7 +6,7 @@
 namespace pliant {
 
 struct InsertResult {
-  Refusal refusal = Refusal::done;
+  Outcome outcome = Outcome::done;
   PointId vertex = none;
 };
 

@@ -10,7 +10,7 @@
 
 namespace pliant {
 
-Refusal level_jacobian(Mesh& mesh, TriangleId t, double part, const RefitOptions& options) {
+Outcome level_jacobian(Mesh& mesh, TriangleId t, double part, const RefitOptions& options) {
   constexpr int steps = 2;  // det J is bilinear in the points: the second step is small
   const int p = mesh.degree();
   std::array<TriangleId, 4> around{t};
@@ -27,7 +27,7 @@ Refusal level_jacobian(Mesh& mesh, TriangleId t, double part, const RefitOptions
     const InnerPoints inner = inner_points(mesh, u);
     for (int k = 0; k < interior_size(p); ++k) points[free++] = inner[static_cast<std::size_t>(k)];
   }
-  if (free == 0) return Refusal::constrained;
+  if (free == 0) return Outcome::constrained;
   const std::span<const PointId> movable{points.data(), free};
   return move_and_refit(mesh, elements, movable, options, [&] {
     std::array<double, 4> targets;

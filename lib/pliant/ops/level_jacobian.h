@@ -2,6 +2,7 @@
 #pragma once
 #include "pliant/mesh/mesh.h"
 #include "pliant/ops/outcome.h"
+#include "pliant/ops/refit_options.h"
 
 namespace pliant {
 
@@ -12,6 +13,6 @@ namespace pliant {
 ///
 /// Errors      refuses (mesh unchanged) where nothing is free, or an element would not be valid
 /// Complexity  O(p^6), a Gauss-Newton step with the coefficients' exact derivatives, twice
-Refusal level_jacobian(Mesh& mesh, TriangleId t, double part = 1, const RefitOptions& options = {});
+Outcome level_jacobian(Mesh& mesh, TriangleId t, double part = 1, const RefitOptions& options = {});
 
 }  // namespace pliant

@@ -3,37 +3,37 @@
 
 namespace pliant {
 
-const char* describe(Refusal refusal) {
-  switch (refusal) {
-    case Refusal::done:
+const char* describe(Outcome outcome) {
+  switch (outcome) {
+    case Outcome::done:
       return "done";
-    case Refusal::outer_boundary:
+    case Outcome::outer_boundary:
       return "outer boundary";
-    case Refusal::constrained:
+    case Outcome::constrained:
       return "constrained";
-    case Refusal::corner:
+    case Outcome::corner:
       return "corner";
-    case Refusal::not_convex:
+    case Outcome::not_convex:
       return "not convex";
-    case Refusal::edge_exists:
+    case Outcome::edge_exists:
       return "edge exists";
-    case Refusal::bent_side:
+    case Outcome::bent_side:
       return "a bent edge beside it is in the way";
-    case Refusal::would_bend:
+    case Outcome::would_bend:
       return "would bend too much";
-    case Refusal::covers_corner:
+    case Outcome::covers_corner:
       return "covers a corner of the boundary";
-    case Refusal::would_invert:
+    case Outcome::would_invert:
       return "would invert";
-    case Refusal::not_removable:
+    case Outcome::not_removable:
       return "not removable";
-    case Refusal::exceeds_tolerance:
+    case Outcome::exceeds_tolerance:
       return "exceeds the tolerance";
-    case Refusal::too_curved:
+    case Outcome::too_curved:
       return "would turn too much";
-    case Refusal::loses_integral:
+    case Outcome::loses_integral:
       return "would lose a part of a field's integral";
-    case Refusal::not_in_domain:
+    case Outcome::not_in_domain:
       return "outside";
   }
   return "unknown";

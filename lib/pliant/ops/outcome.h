@@ -1,9 +1,9 @@
-// lib/pliant/ops/outcome.h: what an operation says when it refuses.
+// lib/pliant/ops/outcome.h: what came of an operation: done, or the reason why it refused.
 #pragma once
 namespace pliant {
 
-/// The closed list of reasons. After any of them but `done` the mesh is bit for bit as it was.
-enum class Refusal {
+/// What came of an operation. After any refusal, all but `done`, the mesh is bit for bit as it was.
+enum class Outcome {
   done,               ///< the operation was carried out
   outer_boundary,     ///< the edge has one triangle
   constrained,        ///< the edge lies on a curve
@@ -20,22 +20,7 @@ enum class Refusal {
   loses_integral,     ///< a field's values within their limits cannot keep its integral
   not_in_domain       ///< the point is outside
 };
-/// The reason in a few words, for reports.
-const char* describe(Refusal refusal);
-
-/// How carried fields are fitted after a flip or a removal.
-enum class Projection { l2, conservative, limited };
-
-/// What is kept where an operation changes the region that elements cover: functions of degree <= 1 stay themselves, or
-/// the integral of each component stays (of a field by face, over each face).
-enum class RegionChange { reproduce, conserve };
-
-struct RefitOptions {
-  Projection projection = Projection::limited;
-  /// A flip of elements whose control points are off their straight places by less than this part of their extent lays
-  /// the new edge straight (0: only of straight ones): for meshes whose inner edges are to be straight in the end.
-  double straight_below = 0;
-  RegionChange region_change = RegionChange::reproduce;
-};
+/// The outcome in a few words, for reports.
+const char* describe(Outcome outcome);
 
 }  // namespace pliant

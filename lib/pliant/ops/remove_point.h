@@ -6,19 +6,20 @@
 
 #include "pliant/mesh/mesh.h"
 #include "pliant/ops/outcome.h"
+#include "pliant/ops/refit_options.h"
 
 namespace pliant {
 
 /// Removes an inner vertex of degree three that is on no curve: 3→1. Where the elements are a de Casteljau subdivision
 /// the parent is restored, else projected.
-Refusal remove_degree_three(Mesh& mesh, PointId v, const RefitOptions& options = {});
+Outcome remove_degree_three(Mesh& mesh, PointId v, const RefitOptions& options = {});
 
 /// Removes any inner vertex that is on no curve: ears first (Devillers's order, each ear a flip), then 3→1; un-split
 /// where it applies. Rolls back as a whole.
-Refusal remove_inner_vertex(Mesh& mesh, PointId v, const RefitOptions& options = {});
+Outcome remove_inner_vertex(Mesh& mesh, PointId v, const RefitOptions& options = {});
 
 struct CurveRemoval {
-  Refusal refusal = Refusal::done;
+  Outcome outcome = Outcome::done;
   double error = 0;  ///< bound of the distance between old and new curve
   /// Largest change of a component's integral over the footprint, relative to that of the absolute control values; 0
   /// to rounding where the curve stays where it is, or options.region_change is `conserve`.

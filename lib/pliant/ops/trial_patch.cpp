@@ -5,6 +5,7 @@
 #include <array>
 #include <cassert>
 
+#include "pliant/geometry/index.h"
 #include "pliant/ops/build_triangle.h"
 
 namespace pliant {
@@ -13,8 +14,6 @@ namespace {
 // The points move in turn, so that the last digits of an optimum and a proof that there is none are of no use.
 constexpr double accuracy = 1e-2;
 constexpr int most_pieces = 40;
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// The border of a patch stays, so its signed integral is kept on tangled elements, too. Weights of both signs may ask
 /// for any values, which only limits bound. False, the fields as they were, where no
@@ -33,7 +32,7 @@ bool fit_tangled(const Patch& patch, Mesh& mesh, std::span<const TriangleId> ele
 
 void TrialPatch::capture(const Mesh& mesh, std::span<const TriangleId> elements) {
   degree_ = mesh.degree();
-  size_ = at(mesh.net_size());
+  size_ = index(mesh.net_size());
   elements_.assign(elements.begin(), elements.end());
   ids_.clear();
   nets_.resize(elements.size() * size_);
@@ -102,7 +101,8 @@ void TrialPatch::blend(const Mesh& mesh, TriangleId t) {
     const int k = std::min(degree_ - 1, static_cast<int>(s * degree_));
     const auto displacement = [&](int i) {
       const double w = static_cast<double>(i) / degree_;
-      return points[at(layout.edge_index(edge, i))] - ((1 - w) * points[at(edge)] + w * points[at((edge + 1) % 3)]);
+      return points[index(layout.edge_index(edge, i))] -
+             ((1 - w) * points[index(edge)] + w * points[index((edge + 1) % 3)]);
     };
     const double f = s * degree_ - k;
     return (1 - f) * displacement(k) + f * displacement(k + 1);
@@ -116,7 +116,7 @@ void TrialPatch::blend(const Mesh& mesh, TriangleId t) {
       const double fade = static_cast<double>(from + to) / degree_;
       place += fade * fade * bend(static_cast<int>(edge), static_cast<double>(to) / (from + to));
     }
-    points[at(k)] = place;
+    points[index(k)] = place;
   }
 }
 
@@ -127,30 +127,30 @@ void TrialPatch::drag(PointId v, const Vector& shift) {
     const auto corner = static_cast<std::size_t>(std::find(first, first + 3, v) - first);
     if (corner == 3) continue;
     for (int k = 0; k < layout.size(); ++k)
-      nets_[e * size_ + at(k)] += (static_cast<double>(layout.exponents(k)[corner]) / degree_) * shift;
+      nets_[e * size_ + index(k)] += (static_cast<double>(layout.exponents(k)[corner]) / degree_) * shift;
   }
 }
 
-Refusal TrialPatch::apply(Mesh& mesh, const RefitOptions& options, bool must_be_valid) const {
+Outcome TrialPatch::apply(Mesh& mesh, const RefitOptions& options, bool must_be_valid) const {
   thread_local std::vector<PointId> moved;
   moved.clear();
   for (std::size_t i = 0; i < ids_.size(); ++i)
     if (nets_[i] != old_[i] && std::find(moved.begin(), moved.end(), ids_[i]) == moved.end()) moved.push_back(ids_[i]);
   const bool was_valid = all_valid(mesh, elements_);
-  if (moved.empty()) return must_be_valid && !was_valid ? Refusal::would_invert : Refusal::done;
+  if (moved.empty()) return must_be_valid && !was_valid ? Outcome::would_invert : Outcome::done;
   Transaction transaction(mesh);
   thread_local Patch patch;
   patch.capture(mesh, elements_);
   for (const PointId p : moved) mesh.set_point(p, point(p));
   const bool is_valid = all_valid(mesh, elements_);
-  if (must_be_valid && !is_valid) return Refusal::would_invert;
+  if (must_be_valid && !is_valid) return Outcome::would_invert;
   if (was_valid && is_valid) {
-    if (!patch.fit_fields(mesh, elements_, moved, options)) return Refusal::loses_integral;
+    if (!patch.fit_fields(mesh, elements_, moved, options)) return Outcome::loses_integral;
   } else if (!fit_tangled(patch, mesh, elements_, moved, options)) {
     patch.fit_fields(mesh, elements_, moved, options, false);  // a change that untangles must not be refused
   }
   transaction.commit();
-  return Refusal::done;
+  return Outcome::done;
 }
 
 }  // namespace pliant

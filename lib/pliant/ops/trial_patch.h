@@ -7,6 +7,7 @@
 #include "pliant/mesh/mesh.h"
 #include "pliant/ops/outcome.h"
 #include "pliant/ops/refit/refit.h"
+#include "pliant/ops/refit_options.h"
 
 namespace pliant {
 
@@ -47,7 +48,7 @@ class TrialPatch {
   /// tangled elements, where the old function has several values in a place, one of them is taken, the signed integral
   /// is kept where limited values can have it, and values are limited also where options.projection is `conservative`.
   /// With `must_be_valid` refuses, the mesh unchanged, unless all elements are certified valid.
-  Refusal apply(Mesh& mesh, const RefitOptions& options, bool must_be_valid) const;
+  Outcome apply(Mesh& mesh, const RefitOptions& options, bool must_be_valid) const;
 
  private:
   int degree_ = 0;

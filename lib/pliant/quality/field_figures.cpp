@@ -8,13 +8,13 @@
 #include <limits>
 #include <unordered_map>
 
+#include "pliant/geometry/index.h"
 #include "pliant/geometry/net_layout.h"
 #include "pliant/geometry/validity/jacobian.h"
 
 namespace pliant {
 namespace {
 
-constexpr std::size_t at(int n) { return static_cast<std::size_t>(n); }
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 /// Row-major: the integral over the unit right triangle of the basis function m of degree p times n of det J.
@@ -35,13 +35,13 @@ std::vector<double> mixed_mass(int degree) {
 
 /// The integrals of the basis functions over each chosen element.
 std::vector<double> basis_integrals(const MeshData& data, std::span<const TriangleId> chosen) {
-  const std::size_t n = at(net_size(data.degree)), m = at(net_size(jacobian_degree(data.degree)));
+  const std::size_t n = index(net_size(data.degree)), m = index(net_size(jacobian_degree(data.degree)));
   const std::vector<double> mass = mixed_mass(data.degree);
   std::vector<double> result(n * chosen.size()), coefficients(m);
   std::vector<Point> net(n);
   for (std::size_t c = 0; c < chosen.size(); ++c) {
-    const PointId* ids = &data.triangles[at(chosen[c]) * n];
-    for (std::size_t k = 0; k < n; ++k) net[k] = data.points[at(ids[k])];
+    const PointId* ids = &data.triangles[index(chosen[c]) * n];
+    for (std::size_t k = 0; k < n; ++k) net[k] = data.points[index(ids[k])];
     jacobian_net(data.degree, net, coefficients);
     for (std::size_t k = 0; k < n; ++k)
       for (std::size_t j = 0; j < m; ++j) result[c * n + k] += mass[k * m + j] * coefficients[j];
@@ -77,15 +77,15 @@ class Rows {
 std::vector<FieldFigures> field_figures(const MeshData& data, std::span<const TriangleId> chosen) {
   std::vector<FieldFigures> result;
   if (data.fields.empty()) return result;
-  const std::size_t n = at(net_size(data.degree));
+  const std::size_t n = index(net_size(data.degree));
   const std::vector<double> weights = basis_integrals(data, chosen);
   for (const Field& field : data.fields) {
-    const std::size_t components = at(field.components);
+    const std::size_t components = index(field.components);
     FieldFigures figures{field.name, std::vector<double>(components, HUGE_VAL),
                          std::vector<double>(components, -HUGE_VAL), std::vector<double>(components, 0.0)};
     const Rows rows(field);
     for (std::size_t k = 0; k < weights.size(); ++k) {
-      const std::size_t t = at(chosen[k / n]);
+      const std::size_t t = index(chosen[k / n]);
       const std::size_t row = rows.find(data.triangles[t * n + k % n], data.triangle_faces[t]);
       for (std::size_t c = 0; c < components; ++c) {
         const double value = row == Rows::npos ? nan : field.values[row * components + c];

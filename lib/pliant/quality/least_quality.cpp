@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "pliant/geometry/index.h"
 #include "pliant/quality/element/element_forms.h"
 
 namespace pliant {
@@ -13,12 +14,10 @@ namespace {
 
 constexpr double range_width = 1e-3;  // of det J, as the quality report has it by default
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
 /// Do the coefficients of the two forms show that the element is better than this in both?
 bool is_surely_better(const ElementForms& forms, const LeastQuality& than) {
   if (!forms.is_finite || forms.is_point) return false;
-  const auto coefficients = std::span<const double>(forms.jacobian).first(at(forms.size()));
+  const auto coefficients = std::span<const double>(forms.jacobian).first(index(forms.size()));
   const auto [least, most] = std::minmax_element(coefficients.begin(), coefficients.end());
   if (!(*least > 4 * forms.error && *least > than.scaled_jacobian * *most)) return false;
   const double wanted = than.shape * std::numbers::inv_sqrt3;
@@ -47,7 +46,7 @@ LeastQuality element_quality(int degree, std::span<const Point> net) {
 LeastQuality element_quality(const Mesh& mesh, TriangleId t) {
   std::array<Point, net_size(max_degree)> net;
   mesh.gather_points(t, net);
-  return element_quality(mesh.degree(), {net.data(), at(mesh.net_size())});
+  return element_quality(mesh.degree(), {net.data(), index(mesh.net_size())});
 }
 
 LeastQuality least_quality(const Mesh& mesh, std::span<const TriangleId> elements) {
@@ -64,7 +63,7 @@ LeastQuality least_quality_of_mesh(const Mesh& mesh, std::span<const TriangleId>
   for (TriangleId t = 0; t < mesh.triangle_slots(); ++t) {
     if (!mesh.is_alive(t)) continue;
     mesh.gather_points(t, net);
-    element_forms(mesh.degree(), {net.data(), at(mesh.net_size())}, forms);
+    element_forms(mesh.degree(), {net.data(), index(mesh.net_size())}, forms);
     if (!is_surely_better(forms, least)) least = least_of(least, quality_of(forms));
   }
   return least;

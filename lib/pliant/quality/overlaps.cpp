@@ -9,6 +9,7 @@
 #include <map>
 
 #include "pliant/geometry/bernstein.h"
+#include "pliant/geometry/index.h"
 #include "pliant/geometry/net_layout.h"
 #include "pliant/quality/crossing_edges.h"
 #include "pliant/quality/edge_curves.h"
@@ -16,11 +17,6 @@
 
 namespace pliant {
 namespace {
-
-template <class I>
-constexpr std::size_t at(I i) {
-  return static_cast<std::size_t>(i);
-}
 
 using Polygon = std::array<Point, max_degree + 1>;
 
@@ -48,7 +44,7 @@ int crossings_to_the_right(std::span<const Point> polygon, const Point& from, in
 class OverlapSearch {
  public:
   OverlapSearch(const MeshData& data, const HalfEdges& half_edges, int most)
-      : data_(data), half_edges_(half_edges), most_(at(std::max(most, 0))) {}
+      : data_(data), half_edges_(half_edges), most_(index(std::max(most, 0))) {}
 
   Overlaps run() {
     const auto count = static_cast<HalfEdgeId>(3 * data_.triangle_faces.size());
@@ -71,7 +67,7 @@ class OverlapSearch {
     std::vector<HalfEdgeId> half_edges;
     const auto add_edge = [&](std::span<const PointId> ids, HalfEdgeId h) {
       edges.ends.emplace_back(ids.front(), ids.back());
-      for (const PointId p : ids) edges.points.push_back(data_.points[at(p)]);
+      for (const PointId p : ids) edges.points.push_back(data_.points[index(p)]);
       half_edges.push_back(h);
     };
     std::vector<HalfEdgeId> listed;
@@ -106,18 +102,19 @@ class OverlapSearch {
   Point point_beside(HalfEdgeId h) const {
     constexpr double inside = 0x1p-10;
     Barycentric xi;
-    xi[at(edge_of(h))] = xi[at(edge_of(next(h)))] = 0.5 - inside / 2;
-    xi[at(edge_of(previous(h)))] = inside;
+    xi[index(edge_of(h))] = xi[index(edge_of(next(h)))] = 0.5 - inside / 2;
+    xi[index(edge_of(previous(h)))] = inside;
     std::array<double, net_size(max_degree)> basis;
     bernstein_basis(data_.degree, xi, basis);
     Point sum;
-    const std::size_t n = at(net_size(data_.degree));
-    for (std::size_t k = 0; k < n; ++k) sum += basis[k] * data_.points[at(data_.triangles[at(triangle_of(h)) * n + k])];
+    const std::size_t n = index(net_size(data_.degree));
+    for (std::size_t k = 0; k < n; ++k)
+      sum += basis[k] * data_.points[index(data_.triangles[index(triangle_of(h)) * n + k])];
     return sum;
   }
 
   void find_covered_loops() {
-    const std::size_t n = at(data_.degree) + 1;
+    const std::size_t n = index(data_.degree) + 1;
     std::vector<Point> polygons(outer_.size() * n);
     std::vector<Box> boxes(outer_.size());
     for (std::size_t k = 0; k < outer_.size(); ++k) {

@@ -8,6 +8,7 @@
 #include <iterator>
 #include <stdexcept>
 
+#include "pliant/geometry/index.h"
 #include "pliant/geometry/net_layout.h"
 #include "pliant/mesh/check_mesh.h"
 #include "pliant/mesh/half_edges.h"
@@ -21,17 +22,12 @@
 namespace pliant {
 namespace {
 
-template <class I>
-constexpr std::size_t at(I i) {
-  return static_cast<std::size_t>(i);
-}
-
 std::vector<bool> chosen_faces(const BoundaryComplex& boundary, const std::vector<std::string>& names) {
   std::vector<bool> chosen(boundary.faces.size(), names.empty());
   for (const std::string& name : names) {
     const int face = find_face(boundary, name);
     if (face == outside) throw std::invalid_argument("there is no face named \"" + name + "\"");
-    chosen[at(face)] = true;
+    chosen[index(face)] = true;
   }
   return chosen;
 }
@@ -57,10 +53,10 @@ class Reporter {
   Reporter(const MeshData& data, const QualityOptions& options)
       : data_(data),
         options_(options),
-        n_(at(net_size(data.degree))),
+        n_(index(net_size(data.degree))),
         is_face_chosen_(chosen_faces(data.boundary, options.faces)) {
     for (std::size_t t = 0; t < data.triangle_faces.size(); ++t)
-      if (is_face_chosen_[at(data.triangle_faces[t])]) chosen_.push_back(static_cast<TriangleId>(t));
+      if (is_face_chosen_[index(data.triangle_faces[t])]) chosen_.push_back(static_cast<TriangleId>(t));
   }
 
   QualityReport run(ElementFigures* elements) {
@@ -76,9 +72,9 @@ class Reporter {
     measure_points(half_edges.is_sound());
     report_.fields = field_figures(data_, chosen_);
     for (int m = 0; m < metric_count; ++m) {
-      MetricSummary summary = metrics_[at(m)].finish();
+      MetricSummary summary = metrics_[index(m)].finish();
       for (WorstElement& worst : summary.worst) {
-        const auto place = at(worst.triangle);
+        const auto place = index(worst.triangle);
         worst.triangle = m == edge_length_metric ? triangle_of_edge(place) : chosen_[place];
         worst.centroid = barycentre(worst.triangle);
       }
@@ -91,10 +87,10 @@ class Reporter {
   }
 
  private:
-  bool is_chosen(TriangleId t) const { return is_face_chosen_[at(data_.triangle_faces[at(t)])]; }
+  bool is_chosen(TriangleId t) const { return is_face_chosen_[index(data_.triangle_faces[index(t)])]; }
 
   std::span<const Point> gather(TriangleId t) {
-    for (std::size_t k = 0; k < n_; ++k) net_[k] = data_.points[at(data_.triangles[at(t) * n_ + k])];
+    for (std::size_t k = 0; k < n_; ++k) net_[k] = data_.points[index(data_.triangles[index(t) * n_ + k])];
     return std::span<const Point>(net_).first(n_);
   }
 
@@ -108,8 +104,8 @@ class Reporter {
       for (std::size_t t = 0; t < data_.triangle_faces.size(); ++t) {
         if (!is_wanted(static_cast<TriangleId>(t))) continue;
         const PointId* net = &data_.triangles[t * n_];
-        for (std::size_t k = 3; k < n_; ++k) use[at(net[k])] = std::max(use[at(net[k])], char{control_point});
-        for (std::size_t k = 0; k < 3; ++k) use[at(net[k])] = vertex;
+        for (std::size_t k = 3; k < n_; ++k) use[index(net[k])] = std::max(use[index(net[k])], char{control_point});
+        for (std::size_t k = 0; k < 3; ++k) use[index(net[k])] = vertex;
       }
       return use;
     };
@@ -137,7 +133,7 @@ class Reporter {
         const HalfEdgeId h = half_edge(t, e), g = half_edges.twin(h);
         const bool is_border = half_edges.is_border(h);
         const bool is_first = g == none || h < g || (is_border && !is_chosen(triangle_of(g)));
-        roles_[at(h)] = static_cast<char>((is_first ? of_edge : no_role) | (is_border ? of_perimeter : no_role));
+        roles_[index(h)] = static_cast<char>((is_first ? of_edge : no_role) | (is_border ? of_perimeter : no_role));
         count += is_first ? 1 : 0;
       }
     }
@@ -148,7 +144,7 @@ class Reporter {
   TriangleId triangle_of_edge(std::size_t edge) const {
     std::size_t before = 0;
     for (const TriangleId t : chosen_) {
-      for (int e = 0; e < 3; ++e) before += (roles_[at(half_edge(t, e))] & of_edge) != 0 ? 1 : 0;
+      for (int e = 0; e < 3; ++e) before += (roles_[index(half_edge(t, e))] & of_edge) != 0 ? 1 : 0;
       if (before > edge) return t;
     }
     return none;
@@ -179,13 +175,13 @@ class Reporter {
   void take_element(TriangleId t, const ElementMeasures& measures, bool lists_elements) {
     if (measures.validity == Validity::invalid) list(t, report_.invalid, report_.invalid_elements);
     if (measures.validity == Validity::degenerate) list(t, report_.degenerate, report_.degenerate_elements);
-    FaceFigures& figures = figures_[at(data_.triangle_faces[at(t)])];
+    FaceFigures& figures = figures_[index(data_.triangle_faces[index(t)])];
     ++figures.triangles;
     figures.area += measures.area;
     report_.area += measures.area;
     for (int e = 0; e < 3; ++e) {
-      const char role = roles_[at(half_edge(t, e))];
-      const double length = measures.edge_length[at(e)];
+      const char role = roles_[index(half_edge(t, e))];
+      const double length = measures.edge_length[index(e)];
       if ((role & of_perimeter) != 0) figures.perimeter += length;
       if ((role & of_edge) != 0) lengths_.push_back(length);
     }
@@ -205,7 +201,7 @@ class Reporter {
       const MetricSpec& spec = metric_spec(m);
       const bool is_length = m == edge_length_metric;
       elements.columns.push_back(
-          {spec.name, spec.worst_is_least, std::move(is_length ? shortest_ : metrics_[at(m)].values())});
+          {spec.name, spec.worst_is_least, std::move(is_length ? shortest_ : metrics_[index(m)].values())});
       if (is_length) elements.columns.push_back({"edge_length_max", false, std::move(longest_)});
     }
     return elements;
@@ -215,7 +211,7 @@ class Reporter {
     const std::span<const Point> net = gather(t);
     const NetLayout& layout = NetLayout::of(data_.degree);
     Point sum;
-    for (int k = 0; k < layout.size(); ++k) sum += layout.multinomial(k) * net[at(k)];
+    for (int k = 0; k < layout.size(); ++k) sum += layout.multinomial(k) * net[index(k)];
     return sum / std::pow(3, data_.degree);
   }
 

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "pliant/geometry/bernstein.h"
+#include "pliant/geometry/index.h"
 #include "pliant/geometry/net_layout.h"
 #include "pliant/geometry/quadrature.h"
 #include "pliant/geometry/validity/jacobian.h"
@@ -19,11 +20,6 @@ namespace pliant {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
-template <class I>
-constexpr std::size_t at(I i) {
-  return static_cast<std::size_t>(i);
-}
 
 /// Where the values of a control point begin, seen from a face; none where a field by face lacks the place.
 std::ptrdiff_t first_value(const Field& field, PointId p, FaceId f) {
@@ -44,7 +40,7 @@ struct Tables {
 
   explicit Tables(int degree) : rule(triangle_rule(2 * degree + jacobian_degree(degree))) {
     const auto fill = [this](int of_degree, std::vector<double>& table) {
-      const std::size_t n = at(net_size(of_degree));
+      const std::size_t n = index(net_size(of_degree));
       table.resize(n * rule.size());
       for (std::size_t q = 0; q < rule.size(); ++q)
         bernstein_basis(of_degree, rule[q].xi, std::span<double>(table).subspan(q * n, n));
@@ -61,12 +57,12 @@ std::vector<ComponentSize> measure_fields(const MeshData& data) {
     for (int c = 0; c < field.components; ++c) sizes.push_back({field.name, c, nan, 0});
   if (sizes.empty()) return sizes;
   const Tables tables(data.degree);
-  const std::size_t n = at(net_size(data.degree)), m = at(net_size(jacobian_degree(data.degree)));
+  const std::size_t n = index(net_size(data.degree)), m = index(net_size(jacobian_degree(data.degree)));
   std::vector<Point> net(n);
   std::vector<double> jacobian(m), areas(tables.rule.size()), values(n);
   for (std::size_t t = 0; t < data.triangle_faces.size(); ++t) {
     const PointId* const ids = &data.triangles[t * n];
-    for (std::size_t k = 0; k < n; ++k) net[k] = data.points[at(ids[k])];
+    for (std::size_t k = 0; k < n; ++k) net[k] = data.points[index(ids[k])];
     jacobian_net(data.degree, net, jacobian);
     for (std::size_t q = 0; q < areas.size(); ++q)
       areas[q] =
@@ -76,7 +72,7 @@ std::vector<ComponentSize> measure_fields(const MeshData& data) {
       for (int c = 0; c < field.components; ++c, ++size) {
         for (std::size_t k = 0; k < n; ++k) {
           const std::ptrdiff_t first = first_value(field, ids[k], data.triangle_faces[t]);
-          values[k] = first < 0 ? nan : field.values[at(first + c)];
+          values[k] = first < 0 ? nan : field.values[index(first + c)];
           size->largest = std::fmax(size->largest, std::fabs(values[k]));
         }
         for (std::size_t q = 0; q < areas.size(); ++q) {

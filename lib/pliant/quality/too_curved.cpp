@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "pliant/geometry/index.h"
 #include "pliant/geometry/linear_triangle.h"
 #include "pliant/geometry/spline/turning_angle.h"
 #include "pliant/quality/element/element_forms.h"
@@ -14,7 +15,6 @@
 namespace pliant {
 namespace {
 
-constexpr std::size_t at(int n) { return static_cast<std::size_t>(n); }
 constexpr double margin = 1e-9;       // of what is_fine takes for granted: above all rounding
 constexpr double range_width = 1e-3;  // of the scaled Jacobian, as scaled_jacobian has it
 constexpr double worst_valid = 0.999 * tangled_excess;
@@ -34,8 +34,8 @@ double turning_of(int degree, std::span<const Point> net, unsigned fixed) {
   double largest = 0;
   for (int e = 0; e < 3; ++e) {
     if ((fixed >> e & 1) != 0) continue;
-    for (int k = 0; k <= degree; ++k) polygon[at(k)] = net[at(layout.edge_index(e, k))];
-    largest = std::max(largest, turning_angle(std::span(polygon).first(at(degree + 1))));
+    for (int k = 0; k <= degree; ++k) polygon[index(k)] = net[index(layout.edge_index(e, k))];
+    largest = std::max(largest, turning_angle(std::span(polygon).first(index(degree + 1))));
   }
   return largest;
 }
@@ -70,7 +70,7 @@ bool CurvatureTest::is_surely_fine(std::span<const Point> net, unsigned fixed) c
   ElementForms forms;
   element_forms(degree_, net, forms);
   if (!forms.is_finite || forms.is_point) return false;
-  const auto coefficients = std::span<const double>(forms.jacobian).first(at(forms.size()));
+  const auto coefficients = std::span<const double>(forms.jacobian).first(index(forms.size()));
   double sum = 0, least = coefficients[0], most = least;
   for (const double c : coefficients) {
     sum += c;
@@ -89,7 +89,9 @@ bool CurvatureTest::is_surely_fine(std::span<const Point> net, unsigned fixed) c
   const NetLayout& layout = NetLayout::of(degree_);
   for (int e = 0; e < 3; ++e)
     for (int k = 1; k < degree_ && (fixed >> e & 1) == 0; ++k) {
-      const auto leg = [&](int i) { return net[at(layout.edge_index(e, i + 1))] - net[at(layout.edge_index(e, i))]; };
+      const auto leg = [&](int i) {
+        return net[index(layout.edge_index(e, i + 1))] - net[index(layout.edge_index(e, i))];
+      };
       if (!is_turn_within(leg(k - 1), leg(k), least_cosine_)) return false;
     }
   return true;

@@ -6,14 +6,13 @@
 
 #include "pliant/boundary/arrangement/arrangement_input.h"
 #include "pliant/boundary/curve_points.h"
+#include "pliant/geometry/index.h"
 
 namespace pliant {
 namespace {
 
 constexpr double most_hook = 8;          // tolerances
 constexpr double sharpest_joint = 0.01;  // radians; what turns back more sharply needs a vertex
-
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 /// Knots and control points of a stretch of a B-spline, not clamped.
 struct OpenStretch {

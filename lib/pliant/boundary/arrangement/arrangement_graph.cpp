@@ -10,14 +10,13 @@
 #include "pliant/boundary/box_pairs.h"
 #include "pliant/boundary/curve_points.h"
 #include "pliant/boundary/hull_separation.h"
+#include "pliant/geometry/index.h"
 #include "pliant/geometry/spline/bspline.h"
 
 namespace pliant {
 namespace {
 
 constexpr double clear_angle = 1e-6;  // radians between the hulls of arcs that are sorted by their chords
-
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 class GraphBuilder {
  public:

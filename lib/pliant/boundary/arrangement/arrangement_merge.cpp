@@ -7,11 +7,10 @@
 #include <map>
 
 #include "pliant/boundary/curve_points.h"
+#include "pliant/geometry/index.h"
 
 namespace pliant {
 namespace {
-
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 double polygon_length(std::span<const Point> polygon) {
   double sum = 0;

@@ -10,6 +10,7 @@
 #include <numbers>
 #include <vector>
 
+#include "pliant/geometry/index.h"
 #include "pliant/geometry/placement/quadratic_shape.h"
 #include "pliant/geometry/validity/bisect_net.h"
 #include "pliant/geometry/validity/jacobian_terms.h"
@@ -17,7 +18,6 @@
 namespace pliant {
 namespace {
 
-constexpr std::size_t at(int n) { return static_cast<std::size_t>(n); }
 constexpr double least_width = 1e-11;  // less is not asked for
 
 /// One coefficient of sqrt(3) det J, and of |chi_2|^2 - chi_2.chi_3 + |chi_3|^2: tau is the first over the second.
@@ -54,7 +54,7 @@ class Enclosure {
  public:
   void begin(int degree, std::span<const Point> net) {
     degree_ = 2 * (degree - 1);
-    size_ = at(net_size(degree_));
+    size_ = index(net_size(degree_));
     pieces_.clear();
     upper_ = std::numeric_limits<double>::infinity();
     const double scale = scale_of(net);
@@ -69,9 +69,9 @@ class Enclosure {
     coefficients_.assign(size_, {0, 0});
     double greatest = 0;
     for (const JacobianTerm& term : terms.terms) {
-      const Vector &u = along_2[at(term.i)], &v = along_3[at(term.i)];
-      const Vector &s = along_2[at(term.j)], &t = along_3[at(term.j)];
-      Ratio& target = coefficients_[at(order[at(term.target)])];
+      const Vector &u = along_2[index(term.i)], &v = along_3[index(term.i)];
+      const Vector &s = along_2[index(term.j)], &t = along_3[index(term.j)];
+      Ratio& target = coefficients_[index(order[index(term.target)])];
       target.determinant += term.weight * std::numbers::sqrt3 * cross(u, t);
       target.square += term.weight * (dot(u, s) - 0.5 * (dot(u, t) + dot(v, s)) + dot(v, t));
       greatest = std::max(
@@ -222,8 +222,8 @@ ShapeBounds least_quadratic_shape(std::span<const Point> net, double relative_wi
 }  // namespace
 
 ShapeBounds least_shape(int degree, std::span<const Point> net, double relative_width, int most_pieces) {
-  assert(1 <= degree && degree <= max_degree && net.size() >= at(net_size(degree)));
-  net = net.first(at(net_size(degree)));
+  assert(1 <= degree && degree <= max_degree && net.size() >= index(net_size(degree)));
+  net = net.first(index(net_size(degree)));
   if (degree == 2) return least_quadratic_shape(net, relative_width, most_pieces);
   thread_local Enclosure enclosure;
   enclosure.begin(degree, net);

@@ -8,14 +8,13 @@
 #include <cstddef>
 #include <vector>
 
+#include "pliant/geometry/index.h"
 #include "pliant/geometry/net_layout.h"
 #include "pliant/geometry/validity/bisect_net.h"
 #include "pliant/geometry/validity/jacobian_enclosure.h"
 
 namespace pliant {
 namespace {
-
-constexpr std::size_t at(int n) { return static_cast<std::size_t>(n); }
 
 /// Every coefficient of a piece is a mean of means, rounded at most `degree` times a division.
 double error_at(int degree, double error, int depth, double greatest) {
@@ -92,12 +91,12 @@ Bounds enclose_by_bisection(int degree, std::span<const double> coefficients, do
   std::vector<double> stack(size * (greatest_depth + 3));
   std::array<int, greatest_depth + 3> depths{};
   std::vector<double> row;
-  const auto piece = [&](int n) { return stack.data() + at(n) * size; };
+  const auto piece = [&](int n) { return stack.data() + index(n) * size; };
   const auto least_of = [&](int n) { return *std::min_element(piece(n), piece(n) + size); };
-  for (std::size_t n = 0; n < size; ++n) stack[at(order[n])] = coefficients[n];
+  for (std::size_t n = 0; n < size; ++n) stack[index(order[n])] = coefficients[n];
   double upper = HUGE_VAL, lower = HUGE_VAL;
   for (int top = 0, count = 0; top >= 0; ++count) {
-    const int depth = depths[at(top)];
+    const int depth = depths[index(top)];
     const double doubt = error_at(degree, error, depth, greatest);
     for (const int c : corners) upper = std::min(upper, piece(top)[c] + doubt);
     const double least = least_of(top) - doubt;
@@ -110,7 +109,7 @@ Bounds enclose_by_bisection(int degree, std::span<const double> coefficients, do
     if (least_of(top + 1) < least_of(top + 2)) std::swap_ranges(piece(top + 1), piece(top + 2), piece(top + 2));
     std::copy_n(piece(top + 1), size, piece(top));
     std::copy_n(piece(top + 2), size, piece(top + 1));
-    depths[at(top)] = depths[at(top + 1)] = depth + 1;
+    depths[index(top)] = depths[index(top + 1)] = depth + 1;
     ++top;
   }
   return {lower, upper};
@@ -119,7 +118,7 @@ Bounds enclose_by_bisection(int degree, std::span<const double> coefficients, do
 }  // namespace
 
 Bounds enclose_minimum(int degree, std::span<const double> coefficients, double error, double width) {
-  assert(coefficients.size() == at(net_size(degree)));
+  assert(coefficients.size() == index(net_size(degree)));
   const double least = *std::min_element(coefficients.begin(), coefficients.end());
   const double at_corners = degree == 0 ? least : std::min({coefficients[0], coefficients[1], coefficients[2]});
   if (at_corners - least <= width) return {least - error, at_corners + error};

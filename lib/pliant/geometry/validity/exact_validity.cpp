@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "pliant/geometry/index.h"
 #include "pliant/geometry/validity/exact_bisection.h"
 #include "pliant/geometry/validity/jacobian.h"
 #include "pliant/geometry/validity/jacobian_terms.h"
@@ -18,7 +19,6 @@ namespace pliant {
 namespace {
 
 using Integer = boost::multiprecision::cpp_int;
-constexpr std::size_t at(int n) { return static_cast<std::size_t>(n); }
 
 struct IntegerVector {
   Integer x, y;
@@ -59,14 +59,14 @@ struct Partials {
 };
 
 Partials exact_partials(const JacobianTerms& terms, std::span<const Point> net) {
-  const std::span<const Point> points = net.first(at(net_size(terms.degree)));
+  const std::span<const Point> points = net.first(index(net_size(terms.degree)));
   const std::vector<Integer> x = scaled(points, [](const Point& p) { return p.x; });
   const std::vector<Integer> y = scaled(points, [](const Point& p) { return p.y; });
   Partials result;
   for (const auto& [first, second, third] : terms.partials) {
-    const std::size_t from = at(first);
-    result.along_2.push_back({x[at(second)] - x[from], y[at(second)] - y[from]});
-    result.along_3.push_back({x[at(third)] - x[from], y[at(third)] - y[from]});
+    const std::size_t from = index(first);
+    result.along_2.push_back({x[index(second)] - x[from], y[index(second)] - y[from]});
+    result.along_3.push_back({x[index(third)] - x[from], y[index(third)] - y[from]});
   }
   return result;
 }
@@ -127,17 +127,17 @@ Certificate certify_quadratic(const Partials& partials, int corner) {
     form.diagonal[i] = 2 * cross(a[i], b[i]);
     form.mixed[i] = cross(a[i], b[j]) + cross(a[j], b[i]);
   }
-  if (corner >= 0 && form.diagonal[at(corner)].is_zero()) return from_sign(form.sign_without_corner(at(corner)));
+  if (corner >= 0 && form.diagonal[index(corner)].is_zero()) return from_sign(form.sign_without_corner(index(corner)));
   return from_sign(form.sign_of_minimum());
 }
 
 /// d! times the Bernstein coefficients of det J / p^2, an integer each: the multinomials divide d!.
 std::vector<Integer> exact_coefficients(const JacobianTerms& terms, const Partials& partials) {
   const NetLayout& layout = NetLayout::of(jacobian_degree(terms.degree));
-  std::vector<Integer> sums(at(layout.size()));
+  std::vector<Integer> sums(index(layout.size()));
   for (const JacobianTerm& term : terms.terms) {
-    const Integer product = cross(partials.along_2[at(term.i)], partials.along_3[at(term.j)]);
-    sums[at(term.target)] += static_cast<std::int64_t>(term.integer_product) * product;
+    const Integer product = cross(partials.along_2[index(term.i)], partials.along_3[index(term.j)]);
+    sums[index(term.target)] += static_cast<std::int64_t>(term.integer_product) * product;
   }
   std::vector<Integer> result(sums.size());
   const std::vector<int>& order = lattice_order(layout.degree());
@@ -145,16 +145,16 @@ std::vector<Integer> exact_coefficients(const JacobianTerms& terms, const Partia
     std::int64_t factor = 1;
     for (const int exponent : layout.exponents(n))
       for (int m = 2; m <= exponent; ++m) factor *= m;
-    result[at(order[at(n)])] = sums[at(n)] * factor;
+    result[index(order[index(n)])] = sums[index(n)] * factor;
   }
   return result;
 }
 
 /// The same numbers side by side, in two's complement.
 LimbNet to_limbs(int degree, const std::vector<Integer>& coefficients, int bits) {
-  LimbNet net(degree, at(bits / 64 + 1));
+  LimbNet net(degree, index(bits / 64 + 1));
   for (int n = 0; n < net.size(); ++n) {
-    const Integer& x = coefficients[at(n)];
+    const Integer& x = coefficients[index(n)];
     Limb* const to = net.at(n);
     if (x.is_zero()) continue;
     // -x = ~(x - 1), and x - 1 is not negative.

@@ -6,12 +6,11 @@
 #include <cstddef>
 
 #include "pliant/geometry/bernstein.h"
+#include "pliant/geometry/index.h"
 #include "pliant/geometry/validity/jacobian_terms.h"
 
 namespace pliant {
 namespace {
-
-constexpr std::size_t at(int n) { return static_cast<std::size_t>(n); }
 
 JacobianTerms build_terms(int degree) {
   const NetLayout& net = NetLayout::of(degree);
@@ -23,7 +22,7 @@ JacobianTerms build_terms(int degree) {
     const auto [i, j, k] = partial.exponents(m);
     result.partials.push_back({net.index(i + 1, j), net.index(i, j + 1), net.index(i, j)});
   }
-  std::vector<int> count(at(product.size()));
+  std::vector<int> count(index(product.size()));
   for (int m = 0; m < partial.size(); ++m) {
     for (int n = 0; n < partial.size(); ++n) {
       const auto& e = partial.exponents(m);
@@ -31,7 +30,7 @@ JacobianTerms build_terms(int degree) {
       const int target = product.index(e[0] + f[0], e[1] + f[1]);
       const double both = partial.multinomial(m) * partial.multinomial(n);
       result.terms.push_back({m, n, target, degree * degree * both / product.multinomial(target), both});
-      result.most_terms = std::max(result.most_terms, ++count[at(target)]);
+      result.most_terms = std::max(result.most_terms, ++count[index(target)]);
     }
   }
   std::stable_sort(result.terms.begin(), result.terms.end(),
@@ -59,21 +58,21 @@ const JacobianTerms& JacobianTerms::of(int degree) {
     return degrees;
   }();
   assert(1 <= degree && degree <= max_degree);
-  return all[at(degree - 1)];
+  return all[index(degree - 1)];
 }
 
 void partial_differences(const JacobianTerms& terms, std::span<const Point> net, std::span<Vector> along_2,
                          std::span<Vector> along_3) {
   for (std::size_t m = 0; m < terms.partials.size(); ++m) {
     const auto [first, second, third] = terms.partials[m];
-    along_2[m] = net[at(second)] - net[at(first)];
-    along_3[m] = net[at(third)] - net[at(first)];
+    along_2[m] = net[index(second)] - net[index(first)];
+    along_3[m] = net[index(third)] - net[index(first)];
   }
 }
 
 void jacobian_net(int degree, std::span<const Point> net, std::span<double> out) {
   const int size = net_size(jacobian_degree(degree));
-  assert(net.size() >= at(net_size(degree)) && out.size() >= at(size));
+  assert(net.size() >= index(net_size(degree)) && out.size() >= index(size));
   if (degree == 1) {
     out[0] = cross(net[1] - net[0], net[2] - net[0]);
     return;
@@ -85,11 +84,11 @@ void jacobian_net(int degree, std::span<const Point> net, std::span<double> out)
   partial_differences(terms, net, along_2, along_3);
   std::fill_n(out.begin(), size, 0.0);
   for (const JacobianTerm& term : terms.terms)
-    out[at(term.target)] += term.weight * cross(along_2[at(term.i)], along_3[at(term.j)]);
+    out[index(term.target)] += term.weight * cross(along_2[index(term.i)], along_3[index(term.j)]);
 }
 
 double jacobian_at(int degree, std::span<const Point> net, const Barycentric& xi) {
-  assert(net.size() >= at(net_size(degree)));
+  assert(net.size() >= index(net_size(degree)));
   const JacobianTerms& terms = JacobianTerms::of(degree);
   std::array<double, max_partials> basis;
   bernstein_basis(degree - 1, xi, basis);
@@ -97,8 +96,8 @@ double jacobian_at(int degree, std::span<const Point> net, const Barycentric& xi
   Vector along_3;
   for (std::size_t m = 0; m < terms.partials.size(); ++m) {
     const auto [first, second, third] = terms.partials[m];
-    along_2 += basis[m] * (net[at(second)] - net[at(first)]);
-    along_3 += basis[m] * (net[at(third)] - net[at(first)]);
+    along_2 += basis[m] * (net[index(second)] - net[index(first)]);
+    along_3 += basis[m] * (net[index(third)] - net[index(first)]);
   }
   return degree * degree * cross(along_2, along_3);
 }

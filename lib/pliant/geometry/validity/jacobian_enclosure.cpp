@@ -8,13 +8,12 @@
 #include <utility>
 #include <vector>
 
+#include "pliant/geometry/index.h"
 #include "pliant/geometry/lattice.h"
 #include "pliant/geometry/validity/jacobian.h"
 
 namespace pliant {
 namespace {
-
-constexpr std::size_t at(int n) { return static_cast<std::size_t>(n); }
 
 /// What JacobianTerms knows, by rows: in lattice order a product of polynomials is a few plain convolutions.
 struct RowTerms {
@@ -33,7 +32,7 @@ struct RowTerms {
       return degrees;
     }();
     assert(1 <= degree && degree <= max_degree);
-    return all[at(degree - 1)];
+    return all[index(degree - 1)];
   }
 
  private:
@@ -45,13 +44,13 @@ struct RowTerms {
     result.most_terms = terms.most_terms;
     result.partials.resize(terms.partials.size());
     for (int m = 0; m < partial.size(); ++m) {
-      const auto& [first, second, third] = terms.partials[at(m)];
-      result.partials[at(lattice_order(partial.degree())[at(m)])] = {at(first), at(second), at(third),
-                                                                     partial.multinomial(m)};
+      const auto& [first, second, third] = terms.partials[index(m)];
+      result.partials[index(lattice_order(partial.degree())[index(m)])] = {index(first), index(second), index(third),
+                                                                           partial.multinomial(m)};
     }
-    result.weights.resize(at(product.size()));
+    result.weights.resize(index(product.size()));
     for (int n = 0; n < product.size(); ++n)
-      result.weights[at(lattice_order(product.degree())[at(n)])] = degree * degree / product.multinomial(n);
+      result.weights[index(lattice_order(product.degree())[index(n)])] = degree * degree / product.multinomial(n);
     return result;
   }
 };
@@ -139,7 +138,7 @@ void enclose(std::span<const Point> net, JacobianEnclosure& result) {
   else
     multiply_rows<degree - 1>(along_2.data(), along_3.data(), result.coefficients.data());
   result.greatest = 0;
-  for (std::size_t n = 0; n < at(net_size(jacobian_degree(degree))); ++n) {
+  for (std::size_t n = 0; n < index(net_size(jacobian_degree(degree))); ++n) {
     result.coefficients[n] *= terms.weights[n];
     result.greatest = std::max(result.greatest, std::fabs(result.coefficients[n]));
   }
@@ -170,9 +169,9 @@ int normalise_differences(std::span<Vector> a, std::span<Vector> b, double great
 }
 
 void enclose_jacobian(int degree, std::span<const Point> net, JacobianEnclosure& result) {
-  static constexpr auto by_degree = enclosures(std::make_index_sequence<at(max_degree)>());
-  assert(1 <= degree && degree <= max_degree && net.size() >= at(net_size(degree)));
-  by_degree[at(degree - 1)](net, result);
+  static constexpr auto by_degree = enclosures(std::make_index_sequence<index(max_degree)>());
+  assert(1 <= degree && degree <= max_degree && net.size() >= index(net_size(degree)));
+  by_degree[index(degree - 1)](net, result);
 }
 
 }  // namespace pliant

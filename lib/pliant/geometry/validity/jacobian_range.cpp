@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <span>
 
+#include "pliant/geometry/index.h"
 #include "pliant/geometry/lattice.h"
 #include "pliant/geometry/validity/bernstein_range.h"
 #include "pliant/geometry/validity/jacobian_enclosure.h"
@@ -12,8 +13,6 @@
 
 namespace pliant {
 namespace {
-
-constexpr std::size_t at(int n) { return static_cast<std::size_t>(n); }
 
 /// x * 2^exponent, rounded down (towards minus infinity).
 double scale_down(double x, int exponent) {
@@ -28,14 +27,14 @@ Bounds scale(const Bounds& bounds, int exponent) {
 }  // namespace
 
 JacobianRange jacobian_range(int degree, std::span<const Point> net, double relative_width) {
-  assert(1 <= degree && degree <= max_degree && net.size() >= at(net_size(degree)));
+  assert(1 <= degree && degree <= max_degree && net.size() >= index(net_size(degree)));
   JacobianEnclosure jacobian;
   enclose_jacobian(degree, net, jacobian);
   if (!jacobian.is_finite) return {{-HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, HUGE_VAL}};
   std::array<double, max_jacobian_size> storage;
-  const std::span<double> coefficients = std::span(storage).first(at(net_size(jacobian.degree)));
+  const std::span<double> coefficients = std::span(storage).first(index(net_size(jacobian.degree)));
   const std::vector<int>& order = lattice_order(jacobian.degree);
-  for (std::size_t n = 0; n < coefficients.size(); ++n) coefficients[n] = jacobian.coefficients[at(order[n])];
+  for (std::size_t n = 0; n < coefficients.size(); ++n) coefficients[n] = jacobian.coefficients[index(order[n])];
   const double width = relative_width * jacobian.greatest;
   return {scale(enclose_minimum(jacobian.degree, coefficients, jacobian.error, width), jacobian.exponent),
           scale(enclose_maximum(jacobian.degree, coefficients, jacobian.error, width), jacobian.exponent)};

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "pliant/geometry/index.h"
 #include "pliant/geometry/validity/bisect_net.h"
 #include "pliant/geometry/validity/jacobian.h"
 #include "pliant/geometry/validity/jacobian_enclosure.h"
@@ -16,7 +17,6 @@
 namespace pliant {
 namespace {
 
-constexpr std::size_t at(int n) { return static_cast<std::size_t>(n); }
 constexpr double finest_interval = 0x1p-12;
 constexpr int depth_at_cusp = 20;  // two bisections halve the diameter
 
@@ -65,15 +65,15 @@ bool sweep(int degree, std::span<const Point> from, std::span<const Point> to, S
   for (int target = 0; target < net_size(result.degree); ++target) {
     std::array<SizedSum, 3> sums;
     for (; term != terms.terms.end() && term->target == target; ++term) {
-      const std::size_t i = at(term->i);
-      const std::size_t j = at(term->j);
+      const std::size_t i = index(term->i);
+      const std::size_t j = index(term->j);
       sums[0].add(term->weight, a.along_2[i], a.along_3[j]);
       sums[1].add(term->weight / 2, a.along_2[i], b.along_3[j]);
       sums[1].add(term->weight / 2, b.along_2[i], a.along_3[j]);
       sums[2].add(term->weight, b.along_2[i], b.along_3[j]);
     }
     for (std::size_t m = 0; m < 3; ++m) {
-      result.coefficients[m][at(order[at(target)])] = sums[m].value;
+      result.coefficients[m][index(order[index(target)])] = sums[m].value;
       result.greatest = std::max(result.greatest, std::fabs(sums[m].value));
       largest_size = std::max(largest_size, sums[m].size);
     }
@@ -87,7 +87,7 @@ bool sweep(int degree, std::span<const Point> from, std::span<const Point> to, S
 class IntervalProof {
  public:
   IntervalProof(const SweptJacobian& jacobian, int cusp)
-      : jacobian_(jacobian), cusp_(cusp), size_(at(net_size(jacobian.degree))) {}
+      : jacobian_(jacobian), cusp_(cusp), size_(index(net_size(jacobian.degree))) {}
 
   bool holds_on(double begin, double end) {
     const bool is_finest = end - begin <= finest_interval;
@@ -130,7 +130,7 @@ class IntervalProof {
   bool is_positive_at_corners(double bound, int cusp) const {
     const std::array<int, 3> corners = lattice_corners(jacobian_.degree);
     for (int c = 0; c < 3; ++c) {
-      const std::size_t n = at(corners[at(c)]);
+      const std::size_t n = index(corners[index(c)]);
       if (c != cusp && (piece_[n] <= bound || piece_[2 * size_ + n] <= bound)) return false;
     }
     return true;
@@ -175,7 +175,7 @@ bool is_valid(int degree, std::span<const Point> net, int cusp) {
 double safe_fraction(int degree, std::span<const Point> from, std::span<const Point> to, int cusp) {
   assert(-1 <= cusp && cusp < 3);
   assert(1 <= degree && degree <= max_degree);
-  assert(from.size() >= at(net_size(degree)) && to.size() >= at(net_size(degree)));
+  assert(from.size() >= index(net_size(degree)) && to.size() >= index(net_size(degree)));
   SweptJacobian jacobian;
   if (!sweep(degree, from, to, jacobian)) return 0;
   const auto size = static_cast<std::ptrdiff_t>(net_size(jacobian.degree));

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <optional>
 
+#include "pliant/geometry/index.h"
 #include "pliant/geometry/validity/bisect_net.h"
 #include "pliant/geometry/validity/exact_validity.h"
 #include "pliant/geometry/validity/jacobian.h"
@@ -15,8 +16,6 @@
 
 namespace pliant {
 namespace {
-
-constexpr std::size_t at(int n) { return static_cast<std::size_t>(n); }
 
 /// a x b and the sum of the absolute values of its two products.
 struct SignedCross {
@@ -55,7 +54,7 @@ std::optional<Validity> certify_by_floating_bisection(const JacobianEnclosure& j
   constexpr int greatest_depth = 40;
   constexpr int most_pieces = 4000;
   const int degree = jacobian.degree;
-  const std::size_t size = at(net_size(degree));
+  const std::size_t size = index(net_size(degree));
   const std::array<int, 3> corners = lattice_corners(degree);
   std::array<double, (greatest_depth + 2) * max_jacobian_size> stack;
   std::array<int, greatest_depth + 2> depths;
@@ -98,7 +97,7 @@ Validity certify_slowly(int degree, std::span<const Point> net, int corner) {
 }  // namespace
 
 Validity certify(int degree, std::span<const Point> net) {
-  assert(1 <= degree && degree <= max_degree && net.size() >= at(net_size(degree)));
+  assert(1 <= degree && degree <= max_degree && net.size() >= index(net_size(degree)));
   if (degree == 1) {
     const SignedCross area = signed_cross(net[1] - net[0], net[2] - net[0]);
     if (is_surely_positive(area.value, area.size)) return Validity::valid;
@@ -109,7 +108,7 @@ Validity certify(int degree, std::span<const Point> net) {
 }
 
 Validity certify_cusp(int degree, std::span<const Point> net, int corner) {
-  assert(0 <= corner && corner < 3 && 1 <= degree && degree <= max_degree && net.size() >= at(net_size(degree)));
+  assert(0 <= corner && corner < 3 && 1 <= degree && degree <= max_degree && net.size() >= index(net_size(degree)));
   return certify_slowly(degree, net, corner);
 }
 

@@ -6,14 +6,14 @@
 #include <queue>
 #include <utility>
 
+#include "pliant/geometry/index.h"
+
 namespace pliant {
 namespace {
 
 constexpr double rim = 1.6;  // how far around a chosen vertex the next ones are looked for, in its sphere's radii
 constexpr double along_curve = 0.97;  // length of a curve's edges, in wanted lengths, at factor 1
 constexpr double in_plane = 0.8;      // radius of a sphere, in wanted lengths, at factor 1
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 class Chooser {
  public:
@@ -31,7 +31,7 @@ class Chooser {
   std::vector<bool> run(const std::vector<CurveChain>& chains, const std::vector<PointId>& preferred) {
     for (const CurveChain& chain : chains) choose_along(chain);
     for (PointId v = 0; v < mesh_.point_slots(); ++v)
-      if (mesh_.is_vertex(v) && (roles_[at(v)] == VertexRole::kept || chosen_[at(v)])) choose(v);
+      if (mesh_.is_vertex(v) && (roles_[index(v)] == VertexRole::kept || chosen_[index(v)])) choose(v);
     for (const PointId v : preferred)
       if (is_candidate(v)) choose(v);
     advance();
@@ -45,7 +45,7 @@ class Chooser {
 
  private:
   bool is_candidate(PointId v) const {
-    return mesh_.is_vertex(v) && roles_[at(v)] == VertexRole::inner && !chosen_[at(v)] && !shut_out_[at(v)];
+    return mesh_.is_vertex(v) && roles_[index(v)] == VertexRole::inner && !chosen_[index(v)] && !shut_out_[index(v)];
   }
   double far(PointId v, PointId w) const { return quick_distance(mesh_.point(v), mesh_.point(w)); }
 
@@ -54,16 +54,16 @@ class Chooser {
     const auto count = chain.vertices.size();
     if (count < 3) return;
     std::size_t first = 0;
-    while (first < count && roles_[at(chain.vertices[first])] != VertexRole::kept) ++first;
+    while (first < count && roles_[index(chain.vertices[first])] != VertexRole::kept) ++first;
     if (first == count) first = 0;
-    chosen_[at(chain.vertices[first])] = true;
+    chosen_[index(chain.vertices[first])] = true;
     const std::size_t last = chain.closed ? first + count : count - 1;
     std::size_t from = first;
     std::vector<double> run{0};  // from `from`, in wanted lengths
     for (std::size_t k = first + 1; k <= last; ++k) {
       const PointId v = chain.vertices[k % count], u = chain.vertices[(k - 1) % count];
-      run.push_back(run.back() + 2 * far(u, v) / (spacing_[at(u)] + spacing_[at(v)]));
-      if (roles_[at(v)] != VertexRole::kept && k != last) continue;
+      run.push_back(run.back() + 2 * far(u, v) / (spacing_[index(u)] + spacing_[index(v)]));
+      if (roles_[index(v)] != VertexRole::kept && k != last) continue;
       const double all = run.back();
       const int least = chain.closed && from == first && k == last ? 3 : 1;
       const int steps = std::max(least, static_cast<int>(std::lround(all / (along_curve * factor_))));
@@ -71,7 +71,7 @@ class Chooser {
         const double place = all * s / steps;
         auto near = static_cast<std::size_t>(std::lower_bound(run.begin(), run.end(), place) - run.begin());
         if (near > 0 && place - run[near - 1] < run[near] - place) --near;
-        chosen_[at(chain.vertices[(from + near) % count])] = true;
+        chosen_[index(chain.vertices[(from + near) % count])] = true;
       }
       from = k;
       run.assign(1, 0);
@@ -80,18 +80,18 @@ class Chooser {
 
   /// Shuts out the inner vertices in the sphere of v; those beyond, not too far, are next.
   void choose(PointId v) {
-    chosen_[at(v)] = true;
+    chosen_[index(v)] = true;
     front_.assign(1, v);
-    visited_[at(v)] = v;
+    visited_[index(v)] = v;
     for (std::size_t k = 0; k < front_.size(); ++k) {
       for (const PointId w : graph_.around(front_[k])) {
-        if (visited_[at(w)] == v) continue;
-        visited_[at(w)] = v;
-        const double ratio = far(v, w) / (in_plane * factor_ * (spacing_[at(v)] + spacing_[at(w)]) / 2);
+        if (visited_[index(w)] == v) continue;
+        visited_[index(w)] = v;
+        const double ratio = far(v, w) / (in_plane * factor_ * (spacing_[index(v)] + spacing_[index(w)]) / 2);
         if (!(ratio < rim)) continue;
         front_.push_back(w);
         if (ratio < 1)
-          shut_out_[at(w)] = true;
+          shut_out_[index(w)] = true;
         else if (is_candidate(w))
           queue_.push({ratio, w});
       }

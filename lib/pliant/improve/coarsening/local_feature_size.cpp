@@ -5,14 +5,13 @@
 #include <array>
 #include <cmath>
 
+#include "pliant/geometry/index.h"
 #include "pliant/geometry/placement/touching_disks.h"
 
 namespace pliant {
 namespace {
 
 constexpr double corner_angle = 0.05;  // radians: where tangents differ by more, a curve has a corner
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 Vector unit(const Vector& v) {
   const double size = length(v);
@@ -77,9 +76,9 @@ std::vector<double> local_feature_sizes(const Mesh& mesh, const std::vector<Curv
   for (std::size_t c = 0; c < chains.size(); ++c)
     if (!chains[c].vertices.empty()) sampling.add_curve(mesh, mesh.boundary().curves[c].spline, chains[c]);
   const std::vector<double> radii = touching_disks(sampling.samples, sampling.stretches, mesh.size());
-  std::vector<double> sizes(at(mesh.point_slots()), HUGE_VAL);
+  std::vector<double> sizes(index(mesh.point_slots()), HUGE_VAL);
   for (std::size_t k = 0; k < radii.size(); ++k)
-    for (const PointId v : sampling.vertices[k]) sizes[at(v)] = std::min(sizes[at(v)], radii[k]);
+    for (const PointId v : sampling.vertices[k]) sizes[index(v)] = std::min(sizes[index(v)], radii[k]);
   return sizes;
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "pliant/geometry/index.h"
 #include "pliant/geometry/predicates.h"
 #include "pliant/improve/legalize.h"
 #include "pliant/mesh/star.h"
@@ -15,7 +16,6 @@ namespace {
 constexpr int most_flips = 60;  // after one removal
 constexpr int most_degree = 40;
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 int outside_piece(HalfEdgeId h) { return -2 - h; }
 HalfEdgeId half_edge_of(int beyond) { return -2 - beyond; }
 
@@ -31,14 +31,14 @@ int LogicalPatch::bring_in(TriangleId t) {
   for (int e = 0; e < 3; ++e) {
     const HalfEdgeId h = half_edge(t, e), g = mesh_.twin(h);
     if (measures_) measure(h);
-    copy.corners[at(e)] = mesh_.origin(h);
-    copy.is_constrained[at(e)] = mesh_.is_constrained(h);
-    copy.beyond[at(e)] = g == none ? wall : outside_piece(g);
+    copy.corners[index(e)] = mesh_.origin(h);
+    copy.is_constrained[index(e)] = mesh_.is_constrained(h);
+    copy.beyond[index(e)] = g == none ? wall : outside_piece(g);
     for (int p = 0; p < now; ++p)
       for (int f = 0; f < 3; ++f)
-        if (piece(p).is_alive && piece(p).beyond[at(f)] == outside_piece(h)) {
-          piece(p).beyond[at(f)] = now;
-          copy.beyond[at(e)] = p;
+        if (piece(p).is_alive && piece(p).beyond[index(f)] == outside_piece(h)) {
+          piece(p).beyond[index(f)] = now;
+          copy.beyond[index(e)] = p;
         }
   }
   pieces_.push_back(copy);
@@ -55,16 +55,16 @@ void LogicalPatch::measure(HalfEdgeId h) {
 }
 
 int LogicalPatch::side_towards(int p, PointId origin) const {
-  const Corners& corners = pieces_[at(p)].corners;
+  const Corners& corners = pieces_[index(p)].corners;
   return corners[0] == origin ? 0 : corners[1] == origin ? 1 : 2;
 }
 
 /// Joins a side to what is beyond, and that to it.
 void LogicalPatch::set_beyond(int p, int side, int beyond, bool is_constrained) {
-  piece(p).beyond[at(side)] = beyond;
-  piece(p).is_constrained[at(side)] = is_constrained;
+  piece(p).beyond[index(side)] = beyond;
+  piece(p).is_constrained[index(side)] = is_constrained;
   if (beyond >= 0)  // its side runs the other way
-    piece(beyond).beyond[at(side_towards(beyond, piece(p).corners[at((side + 1) % 3)]))] = p;
+    piece(beyond).beyond[index(side_towards(beyond, piece(p).corners[index((side + 1) % 3)]))] = p;
 }
 
 /// A piece with this corner.
@@ -76,7 +76,7 @@ int LogicalPatch::piece_at(PointId v) {
 }
 
 int LogicalPatch::neighbor(int p, int side) {
-  const int beyond = piece(p).beyond[at(side)];
+  const int beyond = piece(p).beyond[index(side)];
   return beyond >= 0 ? beyond : bring_in(triangle_of(half_edge_of(beyond)));
 }
 
@@ -105,7 +105,7 @@ LogicalPatch::Outcome LogicalPatch::gather_ring(PointId v) {
 /// The pieces around v on p's side of the curve; false if there are too many.
 bool LogicalPatch::gather_fan(int p, PointId v) {
   const auto ends = [this](int q, int side) {
-    return piece(q).beyond[at(side)] == wall || piece(q).is_constrained[at(side)];
+    return piece(q).beyond[index(side)] == wall || piece(q).is_constrained[index(side)];
   };
   turn(p, v);
   for (int steps = 0; !ends(p, 0); ++steps) {
@@ -128,8 +128,8 @@ bool LogicalPatch::cut_ear(bool is_closed) {
   const int count = static_cast<int>(ring_.size());
   const Point& v = place(piece(ring_[0]).corners[0]);
   const auto link = [&](int i) -> const Point& {
-    return i == count && !is_closed ? place(piece(ring_[at(count - 1)]).corners[2])
-                                    : place(piece(ring_[at((i + count) % count)]).corners[1]);
+    return i == count && !is_closed ? place(piece(ring_[index(count - 1)]).corners[2])
+                                    : place(piece(ring_[index((i + count) % count)]).corners[1]);
   };
   ears_.clear();
   for (int i = is_closed ? 0 : 1; i < count; ++i) {
@@ -140,7 +140,7 @@ bool LogicalPatch::cut_ear(bool is_closed) {
   for (const auto& [depth, i] : ears_) {
     const Point &a = link(i - 1), &b = link(i), &c = link(i + 1);
     if (orient2d(v, a, c) <= 0 || orient2d(a, b, c) <= 0) continue;
-    flip(ring_[at((i + count - 1) % count)], 2);
+    flip(ring_[index((i + count - 1) % count)], 2);
     ring_.erase(ring_.begin() + i);
     return true;
   }
@@ -150,25 +150,25 @@ bool LogicalPatch::cut_ear(bool is_closed) {
 /// Flips the side that p shares with another piece: of p remains what has the side's origin, of the other its target.
 /// Corner 0 stays corner 0 if the flipped side ends there.
 void LogicalPatch::flip(int p, int side) {
-  const int q = piece(p).beyond[at(side)];
+  const int q = piece(p).beyond[index(side)];
   const Piece old_p = piece(p), old_q = piece(q);
-  const PointId a = old_p.corners[at(side)], b = old_p.corners[at((side + 1) % 3)];
+  const PointId a = old_p.corners[index(side)], b = old_p.corners[index((side + 1) % 3)];
   const int f = side_towards(q, b);
-  const PointId c = old_p.corners[at((side + 2) % 3)], d = old_q.corners[at((f + 2) % 3)];
+  const PointId c = old_p.corners[index((side + 2) % 3)], d = old_q.corners[index((f + 2) % 3)];
   // The side from a to b becomes one from d to c: q keeps a, d, c and p keeps b, c, d, or the other way round.
   const auto fill = [&](int to, const Corners& corners, const Piece& one, int one_side, const Piece& two, int two_side,
                         int other) {
     Piece& now = piece(to);
     now.corners = corners;
-    now.beyond = {one.beyond[at(one_side)], other, two.beyond[at(two_side)]};
-    now.is_constrained = {one.is_constrained[at(one_side)], false, two.is_constrained[at(two_side)]};
+    now.beyond = {one.beyond[index(one_side)], other, two.beyond[index(two_side)]};
+    now.is_constrained = {one.is_constrained[index(one_side)], false, two.is_constrained[index(two_side)]};
     now.is_new = true;
   };
   // Around b: (b, c, d) with b c from p and d b from q. Around a: (a, d, c) with a d from q and c a from p.
   fill(p, {b, c, d}, old_p, (side + 1) % 3, old_q, (f + 2) % 3, q);
   fill(q, {a, d, c}, old_q, (f + 1) % 3, old_p, (side + 2) % 3, p);
   for (const int to : {p, q})
-    for (const int e : {0, 2}) set_beyond(to, e, piece(to).beyond[at(e)], piece(to).is_constrained[at(e)]);
+    for (const int e : {0, 2}) set_beyond(to, e, piece(to).beyond[index(e)], piece(to).is_constrained[index(e)]);
 }
 
 /// The three pieces that are left around a vertex become one.
@@ -182,7 +182,7 @@ void LogicalPatch::merge_ring() {
   now.is_new = true;
   piece(merged) = now;
   piece(ring_[1]).is_alive = piece(ring_[2]).is_alive = false;
-  for (int e = 0; e < 3; ++e) set_beyond(merged, e, now.beyond[at(e)], now.is_constrained[at(e)]);
+  for (int e = 0; e < 3; ++e) set_beyond(merged, e, now.beyond[index(e)], now.is_constrained[index(e)]);
 }
 
 /// The two pieces that are left on one side of a curve become one, whose side 2 lies on the curve.
@@ -196,7 +196,7 @@ int LogicalPatch::merge_fan() {
   now.is_new = true;
   piece(merged) = now;
   piece(ring_[1]).is_alive = false;
-  for (int e = 0; e < 2; ++e) set_beyond(merged, e, now.beyond[at(e)], now.is_constrained[at(e)]);
+  for (int e = 0; e < 2; ++e) set_beyond(merged, e, now.beyond[index(e)], now.is_constrained[index(e)]);
   return merged;
 }
 
@@ -218,12 +218,12 @@ LogicalPatch::Outcome LogicalPatch::flip_to_delaunay() {
   for (int flips = 0; !stack_.empty();) {
     const int p = stack_.back() / 3, side = stack_.back() % 3;
     stack_.pop_back();
-    if (!piece(p).is_alive || piece(p).is_constrained[at(side)] || piece(p).beyond[at(side)] == wall) continue;
-    const int beyond = piece(p).beyond[at(side)];
+    if (!piece(p).is_alive || piece(p).is_constrained[index(side)] || piece(p).beyond[index(side)] == wall) continue;
+    const int beyond = piece(p).beyond[index(side)];
     const Corners& corners = piece(p).corners;
-    const PointId a = corners[at(side)], b = corners[at((side + 1) % 3)], c = corners[at((side + 2) % 3)];
-    const PointId d =
-        beyond >= 0 ? piece(beyond).corners[at((side_towards(beyond, b) + 2) % 3)] : mesh_.apex(half_edge_of(beyond));
+    const PointId a = corners[index(side)], b = corners[index((side + 1) % 3)], c = corners[index((side + 2) % 3)];
+    const PointId d = beyond >= 0 ? piece(beyond).corners[index((side_towards(beyond, b) + 2) % 3)]
+                                  : mesh_.apex(half_edge_of(beyond));
     if (!wants_flip(edge_state(place(a), place(b), place(c), place(d)))) continue;
     if (++flips > most_flips) return Outcome::unknown;
     const int q = beyond >= 0 ? beyond : bring_in(triangle_of(half_edge_of(beyond)));

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "pliant/geometry/index.h"
 #include "pliant/quality/element/element_quality.h"
 
 namespace pliant {
@@ -12,8 +13,6 @@ namespace {
 
 constexpr double least_shape = 0.25;  // asked of curved elements whatever the least angle is
 constexpr double least_part = 0.5;    // of the shape that was there
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 void sort_unique(std::vector<TriangleId>& list) {
   std::sort(list.begin(), list.end());
@@ -58,8 +57,8 @@ RemovalRefusal RemovalChain::remove(PointId v, bool is_on_curve) {
     thread_local Star star;
     find_star(mesh_, w, star);
     const CurveRemoval removal = remove_one(w, w == v ? is_on_curve : pliant::is_on_curve(mesh_, star));
-    if (removal.refusal != Refusal::done && w == v) refusal = {describe(removal.refusal)};
-    if (removal.refusal != Refusal::done) break;
+    if (removal.outcome != Outcome::done && w == v) refusal = {describe(removal.outcome)};
+    if (removal.outcome != Outcome::done) break;
     chained_.push_back(w);
     error_ = std::max(error_, removal.error);
     integral_change_ = std::max(integral_change_, removal.integral_change);
@@ -97,8 +96,8 @@ CurveRemoval RemovalChain::remove_one(PointId v, bool is_on_curve) {
   if (is_on_curve)
     removal = remove_curve_vertex(mesh_, v, limits_.curves, limits_.refit);
   else
-    removal.refusal = remove_inner_vertex(mesh_, v, limits_.refit);
-  if (removal.refusal != Refusal::done) return removal;
+    removal.outcome = remove_inner_vertex(mesh_, v, limits_.refit);
+  if (removal.outcome != Outcome::done) return removal;
   is_on_curve ? look_around() : look_inside();
   for (const TriangleId t : changed_)  // flips that the hole's edges now want
     for (int e = 0; e < 3; ++e)
@@ -191,7 +190,7 @@ RemovalChain::Corners RemovalChain::corners_of(TriangleId t) const {
 double RemovalChain::shape_of(TriangleId t) const {
   std::array<Point, net_size(max_degree)> net;
   mesh_.gather_points(t, net);
-  return curved_shape(mesh_.degree(), {net.data(), at(mesh_.net_size())});
+  return curved_shape(mesh_.degree(), {net.data(), index(mesh_.net_size())});
 }
 
 }  // namespace pliant

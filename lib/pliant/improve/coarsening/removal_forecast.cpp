@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "pliant/geometry/index.h"
 #include "pliant/geometry/linear_triangle.h"
 #include "pliant/improve/refine.h"
 #include "pliant/improve/refining/refine_attack.h"
@@ -15,8 +16,6 @@ namespace {
 
 constexpr double slack = 1e-9;  // relative: rounding must not make the forecast stricter than what it foretells
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
 }  // namespace
 
 const char* attack_reason(const Mesh& mesh, TriangleId t, const QualityGoals& goals) {
@@ -25,18 +24,18 @@ const char* attack_reason(const Mesh& mesh, TriangleId t, const QualityGoals& go
 
 Culprit find_culprit(const Mesh& mesh, const std::array<PointId, 3>& corners, const std::array<Point, 3>& places,
                      const std::vector<bool>& slated) {
-  const auto squared = [&](int e) { return squared_length(places[at((e + 1) % 3)] - places[at(e)]); };
+  const auto squared = [&](int e) { return squared_length(places[index((e + 1) % 3)] - places[index(e)]); };
   const std::array<double, 3> sides{squared(0), squared(1), squared(2)};
   int shortest = 0;  // of equal ones the side that starts at the lowest number, wherever the triangle starts
   for (int e = 1; e < 3; ++e)
-    if (sides[at(e)] < sides[at(shortest)] ||
-        (sides[at(e)] == sides[at(shortest)] && corners[at(e)] < corners[at(shortest)]))
+    if (sides[index(e)] < sides[index(shortest)] ||
+        (sides[index(e)] == sides[index(shortest)] && corners[index(e)] < corners[index(shortest)]))
       shortest = e;
-  Culprit culprit{none, sides[at(shortest)], corners};
+  Culprit culprit{none, sides[index(shortest)], corners};
   std::sort(culprit.triangle.begin(), culprit.triangle.end());
   for (const int c : {shortest + 2, shortest + 1, shortest}) {
-    const PointId w = corners[at(c % 3)];
-    if (slated[at(w)] && mesh.is_vertex(w)) culprit.vertex = w;
+    const PointId w = corners[index(c % 3)];
+    if (slated[index(w)] && mesh.is_vertex(w)) culprit.vertex = w;
   }
   return culprit;
 }
@@ -88,13 +87,13 @@ bool RemovalForecast::is_surely_large(FaceId face, const LogicalPatch::Corners& 
 
 /// Removes w from the patch. `refusal` is what its curve says, if it is on one: that does not depend on what the mesh
 /// around has become in the chain.
-LogicalPatch::Outcome RemovalForecast::remove(PointId w, Refusal& refusal) {
-  refusal = Refusal::not_removable;
+LogicalPatch::Outcome RemovalForecast::remove(PointId w, Outcome& reason) {
+  reason = Outcome::not_removable;
   const LogicalPatch::Outcome outcome = patch_.remove_inner(w);
   if (outcome != LogicalPatch::Outcome::on_curve) return outcome;
-  refusal = foresee_curve_removal(mesh_, w, tolerance_, foreseen_).refusal;
-  if (refusal != Refusal::done) return LogicalPatch::Outcome::stuck;
-  refusal = Refusal::not_removable;
+  reason = foresee_curve_removal(mesh_, w, tolerance_, foreseen_).outcome;
+  if (reason != Outcome::done) return LogicalPatch::Outcome::stuck;
+  reason = Outcome::not_removable;
   return patch_.remove_on_curve(w, foreseen_.moved);
 }
 
@@ -118,12 +117,12 @@ RemovalRefusal RemovalForecast::of(PointId v) {
   RemovalRefusal last;
   int removed = 0;
   for (PointId w = v;;) {
-    Refusal refusal = Refusal::done;
+    Outcome refusal = Outcome::done;
     const LogicalPatch::Outcome outcome = remove(w, refusal);
     if (outcome == LogicalPatch::Outcome::unknown) return {};
     if (outcome == LogicalPatch::Outcome::stuck) {
       if (w == v) return {describe(refusal)};
-      if (refusal == Refusal::edge_exists) return {};
+      if (refusal == Outcome::edge_exists) return {};
       return last;
     }
     last = {};

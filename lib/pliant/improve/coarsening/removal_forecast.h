@@ -64,7 +64,7 @@ class RemovalForecast {
   bool is_surely_poor(const Point& a, const Point& b, const Point& c) const;
   bool is_surely_large(FaceId face, const LogicalPatch::Corners& corners, const Point& a, const Point& b,
                        const Point& c) const;
-  LogicalPatch::Outcome remove(PointId w, Refusal& refusal);
+  LogicalPatch::Outcome remove(PointId w, Outcome& reason);
 
   Mesh& mesh_;  // as it was after each question
   const QualityGoals& goals_;

@@ -5,12 +5,11 @@
 #include <queue>
 #include <utility>
 
+#include "pliant/geometry/index.h"
 #include "pliant/geometry/spline/douglas_peucker.h"
 
 namespace pliant {
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// Which vertices of a chain have knots that the control polygon needs.
 std::vector<bool> needed_knots(const BSpline& spline, const CurveChain& chain, double tolerance) {
@@ -18,7 +17,7 @@ std::vector<bool> needed_knots(const BSpline& spline, const CurveChain& chain, d
   const std::vector<bool> keep = douglas_peucker(spline.points().to_vector(), spline.closed(), tolerance);
   const int p = spline.degree();
   for (int i = 0; i < static_cast<int>(keep.size()); ++i) {
-    if (!keep[at(i)]) continue;
+    if (!keep[index(i)]) continue;
     for (int k = i + 1; k <= i + p; ++k) {  // the inner knots of the support of control point i
       double knot = spline.knot(k);
       if (spline.closed() && knot >= spline.last_parameter()) knot -= spline.period();
@@ -35,7 +34,7 @@ template <class Visit>
 void visit_stretches(const CurveChain& chain, const std::vector<VertexRole>& roles, const Visit& visit) {
   PointId first = none, last = none;
   for (const PointId v : chain.vertices) {
-    if (roles[at(v)] != VertexRole::kept) continue;
+    if (roles[index(v)] != VertexRole::kept) continue;
     if (last != none) visit(last, v);
     if (first == none) first = v;
     last = v;
@@ -47,19 +46,19 @@ void visit_stretches(const CurveChain& chain, const std::vector<VertexRole>& rol
 
 std::vector<VertexRole> vertex_roles(const Mesh& mesh, const std::vector<CurveChain>& chains,
                                      double polygon_tolerance) {
-  std::vector<VertexRole> roles(at(mesh.point_slots()), VertexRole::inner);
+  std::vector<VertexRole> roles(index(mesh.point_slots()), VertexRole::inner);
   for (std::size_t c = 0; c < chains.size(); ++c) {
     const CurveChain& chain = chains[c];
     std::vector<bool> needed(chain.vertices.size(), false);
     if (polygon_tolerance > 0) needed = needed_knots(mesh.spline(static_cast<CurveId>(c)), chain, polygon_tolerance);
     for (std::size_t k = 0; k < chain.vertices.size(); ++k) {
-      VertexRole& role = roles[at(chain.vertices[k])];
+      VertexRole& role = roles[index(chain.vertices[k])];
       const bool is_end = !chain.closed && (k == 0 || k + 1 == chain.vertices.size());
       role = role != VertexRole::inner || is_end || needed[k] ? VertexRole::kept : VertexRole::curve;
     }
   }
   for (const LoneVertex& each : mesh.lone_vertices())
-    if (each.point != none) roles[at(each.point)] = VertexRole::kept;
+    if (each.point != none) roles[index(each.point)] = VertexRole::kept;
   return roles;
 }
 
@@ -67,8 +66,8 @@ std::vector<double> wanted_spacing(const Mesh& mesh, const VertexGraph& graph, c
                                    const std::vector<VertexRole>& roles, const QualityGoals& goals,
                                    const std::vector<double>& bounds, double gradation) {
   std::vector<double> spacing = bounds;
-  spacing.resize(at(mesh.point_slots()), HUGE_VAL);
-  const auto lower = [&spacing](PointId v, double wanted) { spacing[at(v)] = std::min(spacing[at(v)], wanted); };
+  spacing.resize(index(mesh.point_slots()), HUGE_VAL);
+  const auto lower = [&spacing](PointId v, double wanted) { spacing[index(v)] = std::min(spacing[index(v)], wanted); };
   for (TriangleId t = 0; t < mesh.triangle_slots(); ++t)
     if (mesh.is_alive(t))
       for (int c = 0; c < 3; ++c)
@@ -87,19 +86,19 @@ std::vector<double> wanted_spacing(const Mesh& mesh, const VertexGraph& graph, c
   std::priority_queue<Item, std::vector<Item>, std::greater<>> queue;
   const auto spread = [&](double wanted, PointId v) {
     for (const PointId w : graph.around(v)) {
-      if (wanted >= spacing[at(w)]) continue;
+      if (wanted >= spacing[index(w)]) continue;
       const double graded = wanted + gradation * quick_distance(mesh.point(v), mesh.point(w));
-      if (graded >= spacing[at(w)]) continue;
-      spacing[at(w)] = graded;
+      if (graded >= spacing[index(w)]) continue;
+      spacing[index(w)] = graded;
       queue.push({graded, w});
     }
   };
   for (PointId v = 0; v < mesh.point_slots(); ++v)
-    if (mesh.is_vertex(v) && spacing[at(v)] < HUGE_VAL) spread(spacing[at(v)], v);
+    if (mesh.is_vertex(v) && spacing[index(v)] < HUGE_VAL) spread(spacing[index(v)], v);
   while (!queue.empty()) {
     const auto [wanted, v] = queue.top();
     queue.pop();
-    if (wanted == spacing[at(v)]) spread(wanted, v);
+    if (wanted == spacing[index(v)]) spread(wanted, v);
   }
   const double widest = mesh.size();
   for (double& wanted : spacing) wanted = std::min(wanted, widest);

@@ -7,11 +7,10 @@
 #include <mutex>
 
 #include "pliant/geometry/control_net.h"
+#include "pliant/geometry/index.h"
 
 namespace pliant {
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 struct Node {
   Barycentric xi;
@@ -23,11 +22,11 @@ std::vector<Node> nodes_of(int subdivisions) {
   const int n = subdivisions;
   const double part = 1.0 / (n * n);
   std::vector<Node> corners, nodes;
-  std::vector<double> weights(at((n + 1) * (n + 1)), 0.0);
+  std::vector<double> weights(index((n + 1) * (n + 1)), 0.0);
   const auto add_triangle = [&](std::array<std::array<int, 2>, 3> t) {
     double x = 0, y = 0;
     for (const auto& [i, j] : t) {
-      weights[at(i * (n + 1) + j)] += part / 12;
+      weights[index(i * (n + 1) + j)] += part / 12;
       x += i / (3.0 * n), y += j / (3.0 * n);
     }
     nodes.push_back({{x, y, 1 - x - y}, 0.75 * part});
@@ -40,7 +39,7 @@ std::vector<Node> nodes_of(int subdivisions) {
   for (int i = 0; i <= n; ++i)
     for (int j = 0; i + j <= n; ++j) {
       const int k = n - i - j;
-      const Node node{{i / double(n), j / double(n), k / double(n)}, weights[at(i * (n + 1) + j)]};
+      const Node node{{i / double(n), j / double(n), k / double(n)}, weights[index(i * (n + 1) + j)]};
       (std::max({i, j, k}) == n ? corners : nodes).push_back(node);
     }
   std::sort(corners.begin(), corners.end(), [](const Node& a, const Node& b) { return a.xi > b.xi; });
@@ -69,18 +68,18 @@ const DeformationEnergy& DeformationEnergy::of(int degree, Nodes nodes) {
   static std::mutex mutex;
   static std::array<std::array<std::unique_ptr<const DeformationEnergy>, 2>, max_degree> made;
   const std::lock_guard lock(mutex);
-  auto& energy = made[at(degree - 1)][nodes == Nodes::few ? 0 : 1];
+  auto& energy = made[index(degree - 1)][nodes == Nodes::few ? 0 : 1];
   if (!energy) energy.reset(new DeformationEnergy(degree, nodes == Nodes::few ? std::max(1, degree - 1) : 2 * degree));
   return *energy;
 }
 
 DeformationEnergy::DeformationEnergy(int degree, int subdivisions) : degree_(degree) {
   const int n = net_size(degree);
-  std::vector<double> identity(at(n * n), 0.0), value(at(n)), along_2(at(n)), along_3(at(n));
-  for (int k = 0; k < n; ++k) identity[at(k * n + k)] = 1;
+  std::vector<double> identity(index(n * n), 0.0), value(index(n)), along_2(index(n)), along_3(index(n));
+  for (int k = 0; k < n; ++k) identity[index(k * n + k)] = 1;
   for (const Node& node : nodes_of(subdivisions)) {
     evaluate_net(degree, n, identity, node.xi, value, along_2, along_3);
-    for (int k = 0; k < n; ++k) slopes_.push_back({along_2[at(k)], along_3[at(k)]});
+    for (int k = 0; k < n; ++k) slopes_.push_back({along_2[index(k)], along_3[index(k)]});
     weights_.push_back(node.weight);
   }
 }
@@ -88,7 +87,7 @@ DeformationEnergy::DeformationEnergy(int degree, int subdivisions) : degree_(deg
 bool DeformationEnergy::evaluate(std::span<const Point> net, const Target& target, std::span<double> residuals,
                                  std::span<const std::int8_t> moving, double* jacobian) const {
   const WantedShape& wanted = target.shape;
-  const auto n = at(net_size(degree_)), count = moving.size();
+  const auto n = index(net_size(degree_)), count = moving.size();
   std::array<Gradient, most_nodes> gradients;
   std::array<Vector, net_size(max_degree)> mean_by{};  // derivatives of the mean by the moving points
   double mean = 0;

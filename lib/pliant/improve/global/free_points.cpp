@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "pliant/geometry/index.h"
 #include "pliant/mesh/check_mesh.h"
 #include "pliant/mesh/star.h"
 #include "pliant/ops/build_triangle.h"
@@ -11,7 +12,7 @@
 namespace pliant {
 
 FreePoints::FreePoints(const Mesh& mesh)
-    : mesh_(&mesh), slots_(at(mesh.point_slots()), none), block_of_(at(mesh.point_slots()), none) {
+    : mesh_(&mesh), slots_(index(mesh.point_slots()), none), block_of_(index(mesh.point_slots()), none) {
   const double size = mesh.size() / std::sqrt(std::max(1, mesh.triangle_count()));
   if (size > 0) unit_ = std::ldexp(1, std::ilogb(size));
   points_.reserve(slots_.size());
@@ -29,20 +30,20 @@ FreePoints::FreePoints(const Mesh& mesh)
         add(points, 2, false);
       }
       const PointId v = mesh.corner(t, e);
-      if (seen[at(v)]) continue;
-      seen[at(v)] = 1;
+      if (seen[index(v)]) continue;
+      seen[index(v)] = 1;
       find_star(mesh, v, star);
       if (star.is_closed && !is_on_curve(mesh, star)) add({&v, 1}, star.degree(), true);
     }
     const InnerPoints inner = inner_points(mesh, t);
-    add({inner.data(), at(interior_size(mesh.degree()))}, 1, false);
+    add({inner.data(), index(interior_size(mesh.degree()))}, 1, false);
   }
   for (PointId p = 0; p < mesh.point_slots(); ++p)
-    if (slots_[at(p)] == none) put(p);
+    if (slots_[index(p)] == none) put(p);
 }
 
 void FreePoints::put(PointId p) {
-  slots_[at(p)] = static_cast<int>(points_.size());
+  slots_[index(p)] = static_cast<int>(points_.size());
   points_.push_back(p);
   const Point& x = mesh_->point(p);
   coordinates_.push_back({x.x / unit_, x.y / unit_});
@@ -52,7 +53,7 @@ void FreePoints::add(std::span<const PointId> points, int elements, bool is_vert
   if (points.empty()) return;
   blocks_.push_back({static_cast<int>(points_.size()), static_cast<int>(points.size()), elements, is_vertex});
   for (const PointId p : points) {
-    block_of_[at(p)] = static_cast<int>(blocks_.size()) - 1;
+    block_of_[index(p)] = static_cast<int>(blocks_.size()) - 1;
     put(p);
   }
 }

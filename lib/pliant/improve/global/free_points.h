@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "pliant/geometry/index.h"
 #include "pliant/mesh/mesh.h"
 
 namespace pliant {
@@ -24,13 +25,13 @@ class FreePoints {
   const Mesh& mesh() const { return *mesh_; }
   std::span<const Block> blocks() const { return blocks_; }
   /// The block of a point, or none: it does not move.
-  int block_of(PointId p) const { return block_of_[at(p)]; }
-  int slot(PointId p) const { return slots_[at(p)]; }
-  PointId point_in(int slot) const { return points_[at(slot)]; }
+  int block_of(PointId p) const { return block_of_[index(p)]; }
+  int slot(PointId p) const { return slots_[index(p)]; }
+  PointId point_in(int slot) const { return points_[index(slot)]; }
   /// x and y of a slot and of those behind it.
-  double* coordinates(int slot) { return coordinates_[at(slot)].data(); }
+  double* coordinates(int slot) { return coordinates_[index(slot)].data(); }
   Point place(PointId p) const {
-    const auto& xy = coordinates_[at(slot(p))];
+    const auto& xy = coordinates_[index(slot(p))];
     return {xy[0], xy[1]};
   }
   Point place_in_mesh(PointId p) const { return unit_ * place(p); }
@@ -42,7 +43,6 @@ class FreePoints {
   bool is_valid(std::span<const Point> net) const;
 
  private:
-  static std::size_t at(int i) { return static_cast<std::size_t>(i); }
   void put(PointId p);
   void add(std::span<const PointId> points, int elements, bool is_vertex);
   const Mesh* mesh_;

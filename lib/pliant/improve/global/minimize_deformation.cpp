@@ -10,12 +10,11 @@
 #include <unordered_map>
 #include <vector>
 
+#include "pliant/geometry/index.h"
 #include "pliant/geometry/validity/jacobian.h"
 
 namespace pliant {
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// One element's squares for Ceres; its parameters are the blocks that move.
 class ElementCost final : public ceres::CostFunction {
@@ -40,18 +39,18 @@ class ElementCost final : public ceres::CostFunction {
     std::size_t m = 0;
     const auto& sizes = parameter_block_sizes();
     for (std::size_t b = 0; b < sizes.size(); ++b)
-      for (int j = 0; j < sizes[b]; j += 2) net[at(moving_[m++])] = {parameters[b][j], parameters[b][j + 1]};
-    const auto count = at(num_residuals()), columns = 2 * moving_.size();
+      for (int j = 0; j < sizes[b]; j += 2) net[index(moving_[m++])] = {parameters[b][j], parameters[b][j + 1]};
+    const auto count = index(num_residuals()), columns = 2 * moving_.size();
     thread_local std::vector<double> all;
     all.resize(count * columns);
     if (!energy_.evaluate(points, target_, {residuals, count}, moving_, jacobians ? all.data() : nullptr)) return false;
     if (target_.smoothing == 0 && !points_.is_valid(points)) return false;
     if (!jacobians) return true;
     std::size_t first = 0;
-    for (std::size_t b = 0; b < sizes.size(); first += at(sizes[b++]))
+    for (std::size_t b = 0; b < sizes.size(); first += index(sizes[b++]))
       if (jacobians[b])
         for (std::size_t r = 0; r < count; ++r)
-          std::copy_n(all.data() + r * columns + first, sizes[b], jacobians[b] + r * at(sizes[b]));
+          std::copy_n(all.data() + r * columns + first, sizes[b], jacobians[b] + r * index(sizes[b]));
     return true;
   }
 
@@ -69,7 +68,7 @@ const DeformationEnergy& energy_for(const FreePoints& points, TriangleId t) {
   const int degree = points.mesh().degree();
   FreePoints::Net net;
   std::array<double, net_size(jacobian_degree(max_degree))> coefficients;
-  const std::span<double> used{coefficients.data(), at(net_size(jacobian_degree(degree)))};
+  const std::span<double> used{coefficients.data(), index(net_size(jacobian_degree(degree)))};
   jacobian_net(degree, points.gather(t, net), used);
   const auto [least, greatest] = std::minmax_element(used.begin(), used.end());
   return DeformationEnergy::of(
@@ -112,7 +111,7 @@ MinimizeOutcome minimize_deformation(FreePoints& points, std::span<const Triangl
         DeformationEnergy::Target{wanted[k], options.any_area, fixed_corners(mesh, t), options.smoothing});
     parameters.clear();
     for_blocks(t, [&](int b) {
-      const FreePoints::Block& block = points.blocks()[at(b)];
+      const FreePoints::Block& block = points.blocks()[index(b)];
       if (uses[b] < block.elements || (block.is_vertex && !options.vertices)) return;
       costs.back().add_block(block);
       parameters.push_back(points.coordinates(block.first));

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "pliant/geometry/index.h"
 #include "pliant/geometry/validity/jacobian.h"
 #include "pliant/improve/global/free_points.h"
 #include "pliant/improve/global/minimize_deformation.h"
@@ -25,12 +26,10 @@ constexpr double smoothing_share = 0.2;    // of the least det F, where that is 
 constexpr double smoothing_decay = 0.5;    // at least, from round to round
 constexpr int most_rings = 12;             // around what is tangled
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
 class GlobalSmoother {
  public:
   GlobalSmoother(Mesh& mesh, const GlobalSmoothOptions& options)
-      : mesh_(mesh), options_(options), stamps_(at(mesh.triangle_slots()), 0) {}
+      : mesh_(mesh), options_(options), stamps_(index(mesh.triangle_slots()), 0) {}
 
   GlobalSmoothOutcome run() {
     std::vector<TriangleId> poor, bad;
@@ -38,7 +37,7 @@ class GlobalSmoother {
       if (!mesh_.is_alive(t)) return;
       FreePoints::Net net;
       mesh_.gather_points(t, net);
-      const std::span<const Point> points{net.data(), at(mesh_.net_size())};
+      const std::span<const Point> points{net.data(), index(mesh_.net_size())};
       const bool is_valid = certify_element(mesh_.boundary(), mesh_.degree(), points) == Validity::valid;
       if (!is_valid) bad.push_back(t);
       if (!is_valid || evenness(points) < options_.good) poor.push_back(t);
@@ -76,7 +75,7 @@ class GlobalSmoother {
   /// A lower bound of the scaled Jacobian, from the coefficients of det J.
   double evenness(std::span<const Point> net) const {
     std::array<double, net_size(jacobian_degree(max_degree))> coefficients;
-    const std::span<double> used{coefficients.data(), at(net_size(jacobian_degree(mesh_.degree())))};
+    const std::span<double> used{coefficients.data(), index(net_size(jacobian_degree(mesh_.degree())))};
     jacobian_net(mesh_.degree(), net, used);
     const auto [least, greatest] = std::minmax_element(used.begin(), used.end());
     return *least / *greatest;
@@ -86,7 +85,7 @@ class GlobalSmoother {
   std::vector<TriangleId> grow(std::span<const TriangleId> seeds, int rings) {
     std::vector<TriangleId> all(seeds.begin(), seeds.end());
     const int stamp = ++stamp_;
-    for (const TriangleId t : all) stamps_[at(t)] = stamp;
+    for (const TriangleId t : all) stamps_[index(t)] = stamp;
     Star star;
     for (std::size_t first = 0; rings > 0 && first < all.size(); --rings) {
       const std::size_t end = all.size();
@@ -94,7 +93,7 @@ class GlobalSmoother {
         for (int c = 0; c < 3; ++c) {
           find_star(mesh_, mesh_.corner(all[first], c), star);
           for (const HalfEdgeId h : star.outgoing)
-            if (auto& s = stamps_[at(triangle_of(h))]; s != stamp) s = stamp, all.push_back(triangle_of(h));
+            if (auto& s = stamps_[index(triangle_of(h))]; s != stamp) s = stamp, all.push_back(triangle_of(h));
         }
     }
     std::sort(all.begin(), all.end());
@@ -104,17 +103,17 @@ class GlobalSmoother {
   /// Parts of these elements that are connected over edges.
   std::vector<std::vector<TriangleId>> parts_of(std::span<const TriangleId> elements) {
     const int stamp = ++stamp_;
-    for (const TriangleId t : elements) stamps_[at(t)] = stamp;
+    for (const TriangleId t : elements) stamps_[index(t)] = stamp;
     std::vector<std::vector<TriangleId>> parts;
     for (const TriangleId seed : elements) {
-      if (stamps_[at(seed)] != stamp) continue;
+      if (stamps_[index(seed)] != stamp) continue;
       std::vector<TriangleId>& part = parts.emplace_back(1, seed);
-      stamps_[at(seed)] = 0;
+      stamps_[index(seed)] = 0;
       for (std::size_t k = 0; k < part.size(); ++k)
         for (int e = 0; e < 3; ++e) {
           const HalfEdgeId g = mesh_.twin(half_edge(part[k], e));
-          if (g == none || stamps_[at(triangle_of(g))] != stamp) continue;
-          stamps_[at(triangle_of(g))] = 0;
+          if (g == none || stamps_[index(triangle_of(g))] != stamp) continue;
+          stamps_[index(triangle_of(g))] = 0;
           part.push_back(triangle_of(g));
         }
       std::sort(part.begin(), part.end());
@@ -134,7 +133,7 @@ class GlobalSmoother {
                            std::span<const WantedShape> wanted) const {
     double least = 1;
     std::array<double, net_size(jacobian_degree(max_degree))> coefficients;
-    const std::span<double> used{coefficients.data(), at(net_size(jacobian_degree(mesh_.degree())))};
+    const std::span<double> used{coefficients.data(), index(net_size(jacobian_degree(mesh_.degree())))};
     FreePoints::Net net;
     for (std::size_t k = 0; k < elements.size(); ++k) {
       jacobian_net(mesh_.degree(), points.gather(elements[k], net), used);
@@ -213,7 +212,7 @@ class GlobalSmoother {
       if (!mesh_.is_alive(t)) continue;
       int last = none;
       for (const PointId p : mesh_.net(t))
-        if (const int b = points.block_of(p); b != none && b != last) todo[at(last = b)].elements.push_back(t);
+        if (const int b = points.block_of(p); b != none && b != last) todo[index(last = b)].elements.push_back(t);
     }
     for (std::size_t b = 0; b < todo.size(); ++b)
       for (int j = 0; j < points.blocks()[b].count; ++j)
@@ -226,7 +225,7 @@ class GlobalSmoother {
       before = todo.size();
       std::erase_if(todo, [&](const Group& group) {
         return move_and_refit(mesh_, group.elements, group.points, options_.refit, [&] { move(group); }) ==
-               Refusal::done;
+               Outcome::done;
       });
     }
     for (const Group& group : todo) {  // what only moves together with others

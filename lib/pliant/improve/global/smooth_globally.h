@@ -6,7 +6,7 @@
 #include "pliant/mesh/mesh.h"
 #include "pliant/mesh/pass_report.h"
 #include "pliant/mesh/progress.h"
-#include "pliant/ops/outcome.h"
+#include "pliant/ops/refit_options.h"
 
 namespace pliant {
 

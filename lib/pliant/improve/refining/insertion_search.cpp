@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "pliant/geometry/index.h"
 #include "pliant/geometry/predicates.h"
 #include "pliant/geometry/spline/protective_lens.h"
 
@@ -13,8 +14,6 @@ namespace {
 
 constexpr std::size_t most_cavity = 200;  // triangles of a cavity that are looked at
 constexpr double near_edge = 1e-3;        // of the distance to the nearest corner
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 }  // namespace
 
@@ -50,8 +49,8 @@ HalfEdgeId InsertionSearch::find_encroached(TriangleId from, const Point& p) {
       if (mesh_.is_constrained(h) || g == none) {
         std::array<Point, max_degree + 1> polygon;
         mesh_.gather_edge_points(h, polygon);
-        if (!is_encroached({polygon.data(), at(mesh_.degree() + 1)}, p)) continue;
-        const double far = distance(0.5 * (polygon[0] + polygon[at(mesh_.degree())]), p);
+        if (!is_encroached({polygon.data(), index(mesh_.degree() + 1)}, p)) continue;
+        const double far = distance(0.5 * (polygon[0] + polygon[index(mesh_.degree())]), p);
         if (far < nearest) nearest = far, found = h;
         continue;
       }
@@ -66,7 +65,7 @@ HalfEdgeId InsertionSearch::find_encroached(TriangleId from, const Point& p) {
 
 double InsertionSearch::edge_tolerance(TriangleId k, const Barycentric& xi, double nearest) const {
   const auto c = static_cast<int>(std::min_element(xi.begin(), xi.end()) - xi.begin());
-  const double least = std::max(0.0, xi[at(c)]);
+  const double least = std::max(0.0, xi[index(c)]);
   const Point &a = mesh_.point(mesh_.corner(k, c)), &b = mesh_.point(mesh_.corner(k, (c + 1) % 3)),
               &d = mesh_.point(mesh_.corner(k, (c + 2) % 3));
   const double height = std::fabs(cross(b - a, d - a)) / distance(b, d);

@@ -3,22 +3,19 @@
 
 #include <numbers>
 
+#include "pliant/geometry/index.h"
 #include "pliant/geometry/linear_triangle.h"
 #include "pliant/geometry/spline/turning_angle.h"
 #include "pliant/geometry/validity/jacobian.h"
 #include "pliant/improve/thin_gaps.h"
 
 namespace pliant {
-namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
-}  // namespace
+namespace {}  // namespace
 
 double edge_turning(const Mesh& mesh, HalfEdgeId h) {
   std::array<Point, max_degree + 1> polygon;
   mesh.gather_edge_points(h, polygon);
-  return turning_angle({polygon.data(), at(mesh.degree() + 1)});
+  return turning_angle({polygon.data(), index(mesh.degree() + 1)});
 }
 
 HalfEdgeId shortest_edge(const Mesh& mesh, TriangleId t) {
@@ -48,7 +45,7 @@ Attack attack_on(const Mesh& mesh, TriangleId t, const QualityGoals& goals) {
   if (bound < HUGE_VAL) {
     std::array<Point, net_size(max_degree)> net;
     mesh.gather_points(t, net);
-    const double ratio = element_area(mesh.degree(), {net.data(), at(mesh.net_size())}) / bound;
+    const double ratio = element_area(mesh.degree(), {net.data(), index(mesh.net_size())}) / bound;
     if (ratio > 1) return {"too large", ratio, none, false};
   }
   if (goals.size || goals.size_field != none) {

@@ -116,7 +116,7 @@ bool SmoothingMoves::search_places(TriangleId t) {
     }
   steps_left_ -= steps;
   if (!is_worth_it(best_, before_, before_.front() < tangled_excess ? least_long_gain : least_gain)) return false;
-  if (trial_.apply(mesh_, options_.refit, best_.front() < tangled_excess) != Refusal::done) return false;
+  if (trial_.apply(mesh_, options_.refit, best_.front() < tangled_excess) != Outcome::done) return false;
   touched_.insert(touched_.end(), around_.begin(), around_.end());
   ++searches;
   return true;

@@ -7,6 +7,8 @@
 #include <numbers>
 #include <utility>
 
+#include "pliant/geometry/index.h"
+
 namespace pliant {
 namespace {
 
@@ -17,8 +19,6 @@ constexpr double corner_reach = 1.95;  // lengths of a triangle within which a s
 constexpr double most_extent = 3;      // of a triangle along a shell, in the shell's radius
 constexpr double same_distance = 1.2;  // of two vertices from a corner, on one shell
 constexpr double wide = std::numbers::pi / 3;  // no wedge is as wide as this
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 /// Direction in which the edge leaves its origin: the first leg of its control polygon that has a length.
 Vector direction(const Mesh& mesh, HalfEdgeId h, bool reversed) {
@@ -97,8 +97,8 @@ void SharpCorners::find_corners(const Mesh& mesh) {
 }
 
 void SharpCorners::find_sides(const Mesh& mesh) {
-  sides_of_.assign(at(mesh.point_slots()), none);
-  std::vector<char> is_node(at(mesh.point_slots()), 0);
+  sides_of_.assign(index(mesh.point_slots()), none);
+  std::vector<char> is_node(index(mesh.point_slots()), 0);
   std::vector<PointId> neighbors;
   Star star;
   std::vector<PointId> corners;
@@ -107,12 +107,12 @@ void SharpCorners::find_sides(const Mesh& mesh) {
   for (HalfEdgeId h = 0; h < 3 * mesh.triangle_slots(); ++h) {
     if (!mesh.is_alive(triangle_of(h)) || !mesh.is_constrained(h)) continue;
     // Three or more edges, or one: counted by the half-edges that leave and those that arrive without a twin.
-    const auto count = [&](PointId v) { is_node[at(v)] = static_cast<char>(std::min(is_node[at(v)] + 1, 100)); };
+    const auto count = [&](PointId v) { is_node[index(v)] = static_cast<char>(std::min(is_node[index(v)] + 1, 100)); };
     count(mesh.origin(h));
     if (mesh.twin(h) == none) count(mesh.target(h));
   }
   for (char& edges : is_node) edges = edges != 2;
-  for (const PointId v : corners) is_node[at(v)] = 1;
+  for (const PointId v : corners) is_node[index(v)] = 1;
   for (const PointId v : corners) {
     find_star(mesh, v, star);
     curve_neighbors(mesh, star, neighbors);
@@ -123,12 +123,12 @@ void SharpCorners::find_sides(const Mesh& mesh) {
 /// Walks from a corner along one of its edges to the next node, and makes a side of what it passes; two sides where it
 /// comes back to the same corner.
 void SharpCorners::follow(const Mesh& mesh, PointId from, PointId to, const std::vector<char>& is_node) {
-  if (!is_node[at(to)] && side_of(to) != none) return;  // walked from its other end
-  if (is_node[at(to)] && one_edge_.count(key(from, to)) > 0) return;
+  if (!is_node[index(to)] && side_of(to) != none) return;  // walked from its other end
+  if (is_node[index(to)] && one_edge_.count(key(from, to)) > 0) return;
   std::vector<PointId> passed, neighbors;
   Star star;
   PointId before = from, v = to;
-  while (!is_node[at(v)]) {
+  while (!is_node[index(v)]) {
     passed.push_back(v);
     find_star(mesh, v, star);
     curve_neighbors(mesh, star, neighbors);
@@ -141,10 +141,10 @@ void SharpCorners::follow(const Mesh& mesh, PointId from, PointId to, const std:
   ending_at_[from].push_back(side);
   if (v != from) ending_at_[v].push_back(side);
   if (passed.empty()) one_edge_[key(from, v)] = side;
-  for (const PointId w : passed) sides_of_[at(w)] = side;
+  for (const PointId w : passed) sides_of_[index(w)] = side;
   if (v != from) return;
   sides_.push_back({{from, none}});
-  for (std::size_t k = passed.size() / 2; k < passed.size(); ++k) sides_of_[at(passed[k])] = side + 1;
+  for (std::size_t k = passed.size() / 2; k < passed.size(); ++k) sides_of_[index(passed[k])] = side + 1;
 }
 
 void SharpCorners::add_between(PointId v, PointId first, PointId last) {
@@ -153,8 +153,8 @@ void SharpCorners::add_between(PointId v, PointId first, PointId last) {
   if (side == none) side = side_of(last);
   if (side == none)
     if (const auto found = one_edge_.find(key(first, last)); found != one_edge_.end()) side = found->second;
-  if (sides_of_.size() <= at(v)) sides_of_.resize(2 * at(v) + 1, none);
-  sides_of_[at(v)] = side;
+  if (sides_of_.size() <= index(v)) sides_of_.resize(2 * index(v) + 1, none);
+  sides_of_[index(v)] = side;
 }
 
 std::span<const SharpCorners::SideId> SharpCorners::all_sides_of(PointId v, SideId& storage) const {
@@ -172,8 +172,8 @@ PointId SharpCorners::shared(const Mesh& mesh, PointId p, PointId q, FaceId f) c
   for (const SideId a : all_sides_of(p, of_p))
     for (const SideId b : all_sides_of(q, of_q)) {
       if (a == b) continue;
-      for (const PointId corner : sides_[at(a)].corners) {
-        const auto& others = sides_[at(b)].corners;
+      for (const PointId corner : sides_[index(a)].corners) {
+        const auto& others = sides_[index(b)].corners;
         if (corner == none || corner == p || corner == q) continue;
         if (std::find(others.begin(), others.end(), corner) == others.end()) continue;
         const FaceId face = corners_.at(corner);

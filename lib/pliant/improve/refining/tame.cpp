@@ -185,7 +185,7 @@ bool Tamer::split(HalfEdgeId h) {
   for (const HalfEdgeId g : {h, mesh_.twin(h)})
     if (g != none) before[static_cast<std::size_t>(sides++)] = {g, piece(triangle_of(g))};
   const InsertResult made = split_edge(mesh_, h, 0.5);
-  if (made.refusal != Refusal::done) return false;
+  if (made.outcome != Outcome::done) return false;
   ++(on_curve ? counts_.curve_splits : counts_.splits);
   if (on_curve) corners_.add_between(made.vertex, first, last);
   Star star;

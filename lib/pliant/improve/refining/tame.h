@@ -8,7 +8,7 @@
 #include "pliant/improve/legalize.h"
 #include "pliant/improve/refining/sharp_corners.h"
 #include "pliant/mesh/mesh.h"
-#include "pliant/ops/outcome.h"
+#include "pliant/ops/refit_options.h"
 
 namespace pliant {
 

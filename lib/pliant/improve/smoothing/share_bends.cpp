@@ -42,7 +42,7 @@ bool level(Mesh& mesh, const Neighbourhood& around, const RefitOptions& options)
   const double before = around.least_scaled_jacobian(mesh);
   for (const double part : {1.0, 0.5, 0.25}) {
     Transaction attempt(mesh);
-    if (level_jacobian(mesh, around.elements[0], part, options) != Refusal::done) continue;
+    if (level_jacobian(mesh, around.elements[0], part, options) != Outcome::done) continue;
     if (around.least_scaled_jacobian(mesh) < before + gain * (1 - before)) continue;
     attempt.commit();
     return true;

@@ -1,7 +1,7 @@
 // lib/pliant/improve/smoothing/share_bends.h: the bend of curves, shared with the elements beside them.
 #pragma once
 #include "pliant/mesh/mesh.h"
-#include "pliant/ops/outcome.h"
+#include "pliant/ops/refit_options.h"
 
 namespace pliant {
 

@@ -5,6 +5,7 @@
 #include <array>
 #include <functional>
 
+#include "pliant/geometry/index.h"
 #include "pliant/geometry/linear_triangle.h"
 #include "pliant/mesh/check_mesh.h"
 #include "pliant/ops/build_triangle.h"
@@ -15,8 +16,6 @@ namespace {
 
 constexpr int turns = 3;         // of points that make room for each other
 constexpr double content = 0.8;  // lower excesses count as this one: what is so good may become worse
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// Bounds under which the excess is divided by `share`.
 CurvatureBounds scaled(const CurvatureBounds& bounds, double share) {
@@ -54,13 +53,13 @@ SmoothingMoves::SmoothingMoves(Mesh& mesh, const SmoothOptions& options)
 double SmoothingMoves::excess(TriangleId t) const {
   std::array<Point, net_size(max_degree)> net;
   mesh_.gather_points(t, net);
-  return test_.excess({net.data(), at(mesh_.net_size())});
+  return test_.excess({net.data(), index(mesh_.net_size())});
 }
 
 double SmoothingMoves::movable_excess(TriangleId t) const {
   std::array<Point, net_size(max_degree)> net;
   mesh_.gather_points(t, net);
-  return test_.excess({net.data(), at(mesh_.net_size())}, fixed_edges(t));
+  return test_.excess({net.data(), index(mesh_.net_size())}, fixed_edges(t));
 }
 
 unsigned SmoothingMoves::fixed_edges(TriangleId t) const {
@@ -73,7 +72,7 @@ unsigned SmoothingMoves::fixed_edges(TriangleId t) const {
 bool SmoothingMoves::is_fine(TriangleId t) const {
   std::array<Point, net_size(max_degree)> net;
   mesh_.gather_points(t, net);
-  return test_.is_fine({net.data(), at(mesh_.net_size())});
+  return test_.is_fine({net.data(), index(mesh_.net_size())});
 }
 
 double SmoothingMoves::rating_of(std::size_t e) const {
@@ -151,12 +150,12 @@ bool SmoothingMoves::take_best(double gain, std::span<const TriangleId> elements
     found = true;
   };
   (attempt(ways), ...);
-  Refusal outcome = Refusal::would_invert;
+  Outcome outcome = Outcome::would_invert;
   if (found) {
     trial_.set_nets(best_nets_);
     outcome = trial_.apply(mesh_, options_.refit, best_.front() < tangled_excess);
   }
-  if (outcome != Refusal::done) {
+  if (outcome != Outcome::done) {
     ++refusals[describe(outcome)];
     return false;
   }
@@ -187,7 +186,7 @@ bool SmoothingMoves::is_free(HalfEdgeId h) const {
 bool SmoothingMoves::smooth_edge(HalfEdgeId h) {
   const std::array<TriangleId, 2> pair{triangle_of(h), triangle_of(mesh_.twin(h))};
   const EdgePoints edge = side_of(mesh_, h).points;
-  const std::span<const PointId> points{edge.ids.data() + 1, at(mesh_.degree() - 1)};
+  const std::span<const PointId> points{edge.ids.data() + 1, index(mesh_.degree() - 1)};
   const auto straight = [&](double keep) {
     trial_.straighten(mesh_, h, keep);
     return true;
@@ -229,7 +228,7 @@ bool SmoothingMoves::smooth_interior(TriangleId t) {
   if (mesh_.degree() <= 2) return false;
   const std::array<TriangleId, 1> one{t};
   const InnerPoints inner = inner_points(mesh_, t);
-  const std::span<const PointId> points{inner.data(), at(interior_size(mesh_.degree()))};
+  const std::span<const PointId> points{inner.data(), index(interior_size(mesh_.degree()))};
   const auto blended = [&] {
     trial_.blend(mesh_, t);
     return true;
@@ -254,8 +253,8 @@ bool SmoothingMoves::flip_edges(TriangleId t) {
     const std::array<TriangleId, 2> pair{t, u};
     const PatchQuality quality = quality_of(pair);
     Transaction trial(mesh_);
-    const Refusal outcome = flip_edge(mesh_, h, options_.refit);
-    if (outcome != Refusal::done) {
+    const Outcome outcome = flip_edge(mesh_, h, options_.refit);
+    if (outcome != Outcome::done) {
       ++refusals[describe(outcome)];
       continue;
     }

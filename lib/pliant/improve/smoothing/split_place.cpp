@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "pliant/geometry/control_net.h"
+#include "pliant/geometry/index.h"
 #include "pliant/geometry/predicates.h"
 #include "pliant/mesh/star.h"
 
@@ -18,8 +19,6 @@ constexpr double balanced = 0.02;           // the parameter's middle will do: h
 constexpr int most_steps = 8;               // towards an end
 constexpr double least_bend_of_gap = 0.25;  // of two edges that are split together
 constexpr double least_part = 0.1;          // of an edge beside a place on a shell
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 Point point_on(std::span<const double> polygon, int degree, double s) {
   std::array<double, 2> value;
@@ -69,10 +68,10 @@ struct Polygon {
   Polygon(const Mesh& mesh, HalfEdgeId h) : degree(mesh.degree()) {
     for (int k = 0; k <= degree; ++k) {
       const Point& b = mesh.point(mesh.edge_point(h, k));
-      flat[at(2 * k)] = b.x, flat[at(2 * k + 1)] = b.y;
+      flat[index(2 * k)] = b.x, flat[index(2 * k + 1)] = b.y;
     }
   }
-  std::span<const double> points() const { return {flat.data(), at(2 * (degree + 1))}; }
+  std::span<const double> points() const { return {flat.data(), index(2 * (degree + 1))}; }
 
   int degree;
   std::array<double, 2 * (max_degree + 1)> flat;

@@ -37,7 +37,7 @@ StraightenCounts straighten_edges(Mesh& mesh, const RefitOptions& options) {
   for (int round = 0; round < most_rounds && !curved.empty(); ++round) {
     std::vector<HalfEdgeId> left;
     for (const HalfEdgeId h : curved) {
-      if (straighten_edge(mesh, h, 0, options) == Refusal::done)
+      if (straighten_edge(mesh, h, 0, options) == Outcome::done)
         ++counts.straightened;
       else
         left.push_back(h);

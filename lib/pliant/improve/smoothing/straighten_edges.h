@@ -1,7 +1,7 @@
 // lib/pliant/improve/smoothing/straighten_edges.h: inner edges as straight as the curves beside them allow.
 #pragma once
 #include "pliant/mesh/mesh.h"
-#include "pliant/ops/outcome.h"
+#include "pliant/ops/refit_options.h"
 
 namespace pliant {
 

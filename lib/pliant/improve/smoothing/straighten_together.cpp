@@ -54,7 +54,7 @@ bool straighten_together(Mesh& mesh, HalfEdgeId seed, bool (*is_bent)(const Mesh
     for (std::size_t e = 0; e < trial.count(); ++e)
       if (certify_element(mesh.boundary(), mesh.degree(), trial.net(e)) != Validity::valid)
         invalid.push_back(trial.element(e));
-    if (invalid.empty()) return trial.apply(mesh, refit, true) == Refusal::done;
+    if (invalid.empty()) return trial.apply(mesh, refit, true) == Outcome::done;
     const auto is_invalid = [&invalid](TriangleId t) {
       return std::find(invalid.begin(), invalid.end(), t) != invalid.end();
     };

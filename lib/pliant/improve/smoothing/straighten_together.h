@@ -1,7 +1,7 @@
 // lib/pliant/improve/smoothing/straighten_together.h: bent edges that are in each other's way become straight at once.
 #pragma once
 #include "pliant/mesh/mesh.h"
-#include "pliant/ops/outcome.h"
+#include "pliant/ops/refit_options.h"
 
 namespace pliant {
 

@@ -82,7 +82,7 @@ bool SmoothingMoves::turn_back_by_vertex(PointId v) {
         if (straight) trial_.straighten(mesh_, h, 0);
       Transaction attempt(mesh_);
       const std::size_t touched = touched_.size();
-      if (trial_.apply(mesh_, options_.refit, before.front() < tangled_excess) != Refusal::done) continue;
+      if (trial_.apply(mesh_, options_.refit, before.front() < tangled_excess) != Outcome::done) continue;
       const auto is_kept = [&] {
         const std::vector<double> now = excesses_of(region);
         return count_tangled(now) <= count_tangled(before) && is_no_worse(now, before) &&
@@ -113,7 +113,7 @@ bool SmoothingMoves::turn_back_by_flip(HalfEdgeId h) {
   const std::vector<double> before = excesses_of(pair);
   const PatchQuality quality = quality_of(pair);
   Transaction trial(mesh_);
-  if (flip_edge(mesh_, h, options_.refit) != Refusal::done) return false;  // both new straight triangles are positive
+  if (flip_edge(mesh_, h, options_.refit) != Outcome::done) return false;  // both new straight triangles are positive
   const std::vector<double> now = excesses_of(pair);
   if (count_tangled(now) > count_tangled(before) || !is_no_worse(now, before)) return false;
   if (!keeps(quality_of(pair), quality)) return false;

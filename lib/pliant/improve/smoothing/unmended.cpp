@@ -4,13 +4,12 @@
 #include <array>
 
 #include "pliant/geometry/control_net.h"
+#include "pliant/geometry/index.h"
 #include "pliant/geometry/predicates.h"
 #include "pliant/ops/build_triangle.h"
 
 namespace pliant {
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// A corner between two edges on curves is what these curves make it.
 bool has_fixed_bad_corner(const Mesh& mesh, TriangleId t) {
@@ -32,7 +31,7 @@ Point centre_of(const Mesh& mesh, TriangleId t) {
     rows[2 * k + 1] = mesh.point(ids[k]).y;
   }
   std::array<double, 2> centre;
-  evaluate_net(mesh.degree(), 2, {rows.data(), 2 * at(mesh.net_size())}, {1.0 / 3, 1.0 / 3, 1.0 / 3}, centre);
+  evaluate_net(mesh.degree(), 2, {rows.data(), 2 * index(mesh.net_size())}, {1.0 / 3, 1.0 / 3, 1.0 / 3}, centre);
   return {centre[0], centre[1]};
 }
 

@@ -10,6 +10,7 @@
 
 #include "pliant/boundary/check_boundary.h"
 #include "pliant/geometry/describe.h"
+#include "pliant/geometry/index.h"
 #include "pliant/mesh/check/lone_vertices.h"
 #include "pliant/mesh/check_mesh.h"
 #include "pliant/mesh/half_edges.h"
@@ -17,18 +18,13 @@
 namespace pliant {
 namespace {
 
-template <class I>
-std::size_t at(I i) {
-  return static_cast<std::size_t>(i);
-}
-
 class Checker {
  public:
   Checker(const MeshData& data, const HalfEdges& half_edges, int limit)
       : data_(data),
         limit_(limit),
         layout_(NetLayout::of(data.degree)),
-        n_(at(layout_.size())),
+        n_(index(layout_.size())),
         triangles_(static_cast<TriangleId>(data.triangle_faces.size())),
         half_edges_(half_edges) {}
 
@@ -56,9 +52,9 @@ class Checker {
   void fault(const char* invariant, std::string place, std::string text) {
     if (++counts_[invariant] <= limit_) faults_.push_back({invariant, std::move(place), std::move(text)});
   }
-  std::string place_of(TriangleId t) const { return "/triangles/" + std::to_string(at(t) * n_); }
+  std::string place_of(TriangleId t) const { return "/triangles/" + std::to_string(index(t) * n_); }
   static std::string point_place(std::size_t p) { return "/points/" + std::to_string(2 * p); }
-  PointId entry(TriangleId t, int index) const { return data_.triangles[at(t) * n_ + at(index)]; }
+  PointId entry(TriangleId t, int k) const { return data_.triangles[index(t) * n_ + index(k)]; }
   PointId corner(TriangleId t, int c) const { return entry(t, c); }
   PointId edge_point(HalfEdgeId h, int k) const { return entry(triangle_of(h), layout_.edge_index(edge_of(h), k)); }
   HalfEdgeId twin(HalfEdgeId h) const { return half_edges_.twin(h); }
@@ -108,10 +104,10 @@ class Checker {
         } else if (k >= 3) {
           now = -2 - static_cast<std::int64_t>(t);
         }
-        if (use[at(p)] == -1) {
-          use[at(p)] = now;
-        } else if (use[at(p)] != now || now < -1) {
-          fault("M1", "/triangles/" + std::to_string(at(t) * n_ + at(k)),
+        if (use[index(p)] == -1) {
+          use[index(p)] = now;
+        } else if (use[index(p)] != now || now < -1) {
+          fault("M1", "/triangles/" + std::to_string(index(t) * n_ + index(k)),
                 "point " + std::to_string(p) + " is used in two places that are not the same corner or edge");
         }
       }
@@ -124,13 +120,13 @@ class Checker {
     std::vector<std::int32_t> corners(data_.points.size()), in_open(data_.points.size());
     std::vector<HalfEdgeId> leaving(data_.points.size(), none);
     for (HalfEdgeId h = 3 * triangles_; h-- > 0;) {
-      ++corners[at(origin(h))];
-      leaving[at(origin(h))] = h;
+      ++corners[index(origin(h))];
+      leaving[index(origin(h))] = h;
     }
     for (HalfEdgeId h = 0; h < 3 * triangles_; ++h) {
       if (twin(h) != none) continue;
-      std::int32_t& seen = in_open[at(origin(h))];
-      for (HalfEdgeId g = h; g != none && seen <= corners[at(origin(h))]; g = twin(previous(g))) ++seen;
+      std::int32_t& seen = in_open[index(origin(h))];
+      for (HalfEdgeId g = h; g != none && seen <= corners[index(origin(h))]; g = twin(previous(g))) ++seen;
     }
     for (std::size_t v = 0; v < corners.size(); ++v) {
       if (corners[v] == 0) continue;
@@ -154,8 +150,8 @@ class Checker {
   /// a period is added.
   static double knot_rounding(const BSpline& spline, const std::vector<double>& breaks, int span) {
     const double knot = std::max(std::fabs(breaks.front()), std::fabs(breaks.back()));
-    const double speed =
-        std::max(length(spline.derivative(breaks[at(span)])), length(spline.derivative(breaks[at(span + 1)], true)));
+    const double speed = std::max(length(spline.derivative(breaks[index(span)])),
+                                  length(spline.derivative(breaks[index(span + 1)], true)));
     return 0x1p-51 * knot * speed;
   }
 
@@ -168,12 +164,12 @@ class Checker {
     for (std::size_t c = 0; c < data_.boundary.curves.size(); ++c) {
       const BSpline& spline = data_.boundary.curves[c].spline;
       breaks.push_back(spline.breaks());
-      covered.emplace_back(at(spline.span_count()), 0);
+      covered.emplace_back(index(spline.span_count()), 0);
       if (spline.degree() != data_.degree)
         fault("M4", "/boundary/curves/" + std::to_string(c) + "/degree",
               "is " + std::to_string(spline.degree()) + "; the mesh has degree " + std::to_string(data_.degree));
     }
-    std::vector<Point> wanted(at(data_.degree) + 1);
+    std::vector<Point> wanted(index(data_.degree) + 1);
     for (std::size_t k = 0; k < data_.constrained_edges.size(); ++k) {
       const ConstrainedEdge& edge = data_.constrained_edges[k];
       const std::string place = "/constrained_edges/" + std::to_string(k);
@@ -186,20 +182,20 @@ class Checker {
         if (h != none) constrained_.emplace_back(h, k);
       for (int i = 0; i <= data_.degree; ++i) {
         const PointId p = forward != none ? edge_point(forward, i) : edge_point(backward, data_.degree - i);
-        if (p != edge.points[at(i)]) {
+        if (p != edge.points[index(i)]) {
           fault("M4", place + "/points/" + std::to_string(i), "differs from the triangle's control point");
           break;
         }
       }
-      if (covered[at(edge.curve)][at(edge.span)]++)
+      if (covered[index(edge.curve)][index(edge.span)]++)
         fault("M4", place + "/span", "this span of the curve has an edge already");
-      const BSpline& spline = data_.boundary.curves[at(edge.curve)].spline;
+      const BSpline& spline = data_.boundary.curves[index(edge.curve)].spline;
       if (spline.degree() != data_.degree) continue;
-      spline.extract(breaks[at(edge.curve)][at(edge.span)], wanted);
+      spline.extract(breaks[index(edge.curve)][index(edge.span)], wanted);
       for (int i = 0; i <= data_.degree; ++i) {
-        const double off = distance(wanted[at(i)], data_.points[at(edge.points[at(i)])]);
-        if (!(off <= tolerance) && !(off <= tolerance + knot_rounding(spline, breaks[at(edge.curve)], edge.span))) {
-          fault("M4", "/points/" + std::to_string(2 * edge.points[at(i)]),
+        const double off = distance(wanted[index(i)], data_.points[index(edge.points[index(i)])]);
+        if (!(off <= tolerance) && !(off <= tolerance + knot_rounding(spline, breaks[index(edge.curve)], edge.span))) {
+          fault("M4", "/points/" + std::to_string(2 * edge.points[index(i)]),
                 "is " + describe_number(off, 1e-3 * off) + " away from where span " + std::to_string(edge.span) +
                     " of curve " + std::to_string(edge.curve) + " has it");
           break;
@@ -221,7 +217,7 @@ class Checker {
       const bool is_constrained = next_constrained != constrained_.end() && next_constrained->first == h;
       if (!is_constrained && !half_edges_.is_border(h)) continue;
       const HalfEdgeId g = twin(h);
-      const FaceId mine = data_.triangle_faces[at(triangle_of(h))];
+      const FaceId mine = data_.triangle_faces[index(triangle_of(h))];
       if (!is_constrained) {
         fault("M5", place_of(triangle_of(h)),
               edge_text(h) + (g == none ? " is on the outer boundary but on no curve"
@@ -232,7 +228,7 @@ class Checker {
       while (++next_constrained != constrained_.end() && next_constrained->first == h)
         fault("M4", "/constrained_edges/" + std::to_string(next_constrained->second), "this edge is listed twice");
       const ConstrainedEdge& edge = data_.constrained_edges[k];
-      const Curve& curve = data_.boundary.curves[at(edge.curve)];
+      const Curve& curve = data_.boundary.curves[index(edge.curve)];
       const bool forward = origin(h) == edge.points.front();
       if ((forward ? curve.left : curve.right) != mine)
         fault("M5", "/triangle_faces/" + std::to_string(triangle_of(h)),
@@ -255,7 +251,7 @@ class Checker {
       if (!field.by_face) continue;
       if (wanted.empty()) {
         for (TriangleId t = 0; t < triangles_; ++t)
-          for (int i = 0; i < layout_.size(); ++i) wanted.push_back({entry(t, i), data_.triangle_faces[at(t)]});
+          for (int i = 0; i < layout_.size(); ++i) wanted.push_back({entry(t, i), data_.triangle_faces[index(t)]});
         std::sort(wanted.begin(), wanted.end());
         wanted.erase(std::unique(wanted.begin(), wanted.end()), wanted.end());
       }

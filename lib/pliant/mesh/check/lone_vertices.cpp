@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "pliant/geometry/index.h"
 #include "pliant/geometry/net_layout.h"
 
 namespace pliant {
@@ -13,18 +14,16 @@ namespace {
 constexpr double near = 1e-12;  // of the mesh's size
 constexpr double roundings = 4;
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
 }  // namespace
 
 std::vector<LoneVertex> find_lone_vertices(const MeshData& data) {
   std::vector<bool> ends(data.boundary.vertices.size(), false);
   for (const Curve& curve : data.boundary.curves)
     for (const int v : {curve.start, curve.end})
-      if (v >= 0 && at(v) < ends.size()) ends[at(v)] = true;
+      if (v >= 0 && index(v) < ends.size()) ends[index(v)] = true;
   std::vector<LoneVertex> lone;
   for (int v = 0; v < static_cast<int>(ends.size()); ++v)
-    if (!ends[at(v)]) lone.push_back({v, none});
+    if (!ends[index(v)]) lone.push_back({v, none});
   if (lone.empty()) return lone;
 
   Box box;
@@ -33,21 +32,21 @@ std::vector<LoneVertex> find_lone_vertices(const MeshData& data) {
       std::max({std::fabs(box.low.x), std::fabs(box.low.y), std::fabs(box.high.x), std::fabs(box.high.y)});
   const double tolerance = std::max(near * box.size(), roundings * std::numeric_limits<double>::epsilon() * largest);
   std::vector<PointId> corners;
-  const std::size_t n = at(net_size(data.degree));
+  const std::size_t n = index(net_size(data.degree));
   for (std::size_t k = 0; k + n <= data.triangles.size(); k += n)
     corners.insert(corners.end(), data.triangles.begin() + static_cast<std::ptrdiff_t>(k),
                    data.triangles.begin() + static_cast<std::ptrdiff_t>(k) + 3);
-  const auto x_of = [&](PointId p) { return data.points[at(p)].x; };
+  const auto x_of = [&](PointId p) { return data.points[index(p)].x; };
   std::sort(corners.begin(), corners.end(),
             [&](PointId p, PointId q) { return x_of(p) < x_of(q) || (x_of(p) == x_of(q) && p < q); });
   corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
   for (LoneVertex& each : lone) {
-    const Point& place = data.boundary.vertices[at(each.vertex)];
+    const Point& place = data.boundary.vertices[index(each.vertex)];
     double nearest = tolerance;
     auto next = std::lower_bound(corners.begin(), corners.end(), place.x - tolerance,
                                  [&](PointId p, double x) { return x_of(p) < x; });
     for (; next != corners.end() && x_of(*next) <= place.x + tolerance; ++next) {
-      const double off = distance(data.points[at(*next)], place);
+      const double off = distance(data.points[index(*next)], place);
       if (off > nearest || (off == nearest && each.point != none)) continue;
       nearest = off;
       each.point = *next;

@@ -5,11 +5,10 @@
 #include <cmath>
 
 #include "pliant/geometry/dense/solve_dense.h"
+#include "pliant/geometry/index.h"
 
 namespace pliant {
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 // A field is rough where its residuals exceed this part of the variation of its best linear function.
 constexpr double most_missing = 1e3;  // of an integral, in its rounding
@@ -69,7 +68,7 @@ bool FieldFit::run(const Patch& patch, Mesh& mesh, std::span<const TriangleId> n
   for (const double w : weights_) weights_sum += std::abs(w);
   for (int c = 0; c < columns_; ++c) {
     solve_component(c);
-    const Component& component = components_[at(c)];
+    const Component& component = components_[index(c)];
     double missing = put_values(component);
     const double noise = 1e-15 * weights_sum * (std::abs(component.values.low) + std::abs(component.values.high));
     if (conserves_ && !(std::abs(missing) <= noise)) missing = spread_missing(component, missing, noise);
@@ -96,9 +95,9 @@ bool FieldFit::is_linear(const Component& component) const {
 
 void FieldFit::solve_component(int c) {
   const int n = unknown_count();
-  solution_.assign(at(n), 0.0);
-  held_.assign(at(n), 0);
-  const Component& component = components_[at(c)];
+  solution_.assign(index(n), 0.0);
+  held_.assign(index(n), 0);
+  const Component& component = components_[index(c)];
   const double integral = conserves_ ? component.target : 0;
   if (is_linear(component)) {
     spread<Range>(integral, weights_, solution_, {});
@@ -107,7 +106,7 @@ void FieldFit::solve_component(int c) {
   for (int round = 0; round <= n; ++round) {
     open_.clear();
     for (int i = 0; i < n; ++i)
-      if (!held_[at(i)]) open_.push_back(i);
+      if (!held_[index(i)]) open_.push_back(i);
     if (open_.empty()) return;
     solve_open(c, integral);
     if (!limits_ || !hold_outside(component)) return;
@@ -117,37 +116,38 @@ void FieldFit::solve_component(int c) {
 void FieldFit::solve_open(int c, double integral) {
   const int n = unknown_count(), m = static_cast<int>(open_.size()), size = m + (conserves_ ? 1 : 0);
   for (int i = 0; i < n; ++i)
-    if (held_[at(i)]) integral -= weights_[at(i)] * solution_[at(i)];
+    if (held_[index(i)]) integral -= weights_[index(i)] * solution_[index(i)];
   if (conserves_ && m == 1) {
-    solution_[at(open_[0])] = integral / weights_[at(open_[0])];
+    solution_[index(open_[0])] = integral / weights_[index(open_[0])];
     return;
   }
-  system_.assign(at(size * size), 0.0);
-  system_right_.assign(at(size), 0.0);
+  system_.assign(index(size * size), 0.0);
+  system_right_.assign(index(size), 0.0);
   for (int i = 0; i < m; ++i) {
-    const int row = open_[at(i)];
-    double& right = system_right_[at(i)];
-    right = right_[at(row * columns_ + c)];
-    for (int j = 0; j < m; ++j) system_[at(i * size + j)] = normal_[at(row * n + open_[at(j)])];
+    const int row = open_[index(i)];
+    double& right = system_right_[index(i)];
+    right = right_[index(row * columns_ + c)];
+    for (int j = 0; j < m; ++j) system_[index(i * size + j)] = normal_[index(row * n + open_[index(j)])];
     for (int j = 0; j < n; ++j)
-      if (held_[at(j)]) right -= normal_[at(row * n + j)] * solution_[at(j)];
+      if (held_[index(j)]) right -= normal_[index(row * n + j)] * solution_[index(j)];
     // The equality's row is brought to the scale of the others.
     if (conserves_)
-      system_[at(i * size + m)] = system_[at(m * size + i)] = weights_[at(row)] * equation_scale_ / weight_scale_;
+      system_[index(i * size + m)] = system_[index(m * size + i)] =
+          weights_[index(row)] * equation_scale_ / weight_scale_;
   }
-  if (conserves_) system_right_[at(m)] = integral * equation_scale_ / weight_scale_;
+  if (conserves_) system_right_[index(m)] = integral * equation_scale_ / weight_scale_;
   solve_dense(size, system_, 1, system_right_);
-  for (int i = 0; i < m; ++i) solution_[at(open_[at(i)])] = system_right_[at(i)];
+  for (int i = 0; i < m; ++i) solution_[index(open_[index(i)])] = system_right_[index(i)];
 }
 
 bool FieldFit::hold_outside(const Component& component) {
   bool any = false;
   for (const int i : open_) {
-    double& residual = solution_[at(i)];
-    const double within = residual_range(component, mesh_->point(unknowns_[at(i)])).clamp(residual);
+    double& residual = solution_[index(i)];
+    const double within = residual_range(component, mesh_->point(unknowns_[index(i)])).clamp(residual);
     if (within == residual && std::isfinite(residual)) continue;
     residual = std::isfinite(residual) ? within : 0.0;
-    held_[at(i)] = 1;
+    held_[index(i)] = 1;
     any = true;
   }
   return any;
@@ -156,10 +156,10 @@ bool FieldFit::hold_outside(const Component& component) {
 double FieldFit::put_values(const Component& component) {
   double missing = conserves_ ? component.target : 0;
   for (int i = 0; i < unknown_count(); ++i) {
-    if (conserves_) missing -= weights_[at(i)] * solution_[at(i)];
-    const PointId p = unknowns_[at(i)];
+    if (conserves_) missing -= weights_[index(i)] * solution_[index(i)];
+    const PointId p = unknowns_[index(i)];
     mesh_->put_component(component.field, component.component, p, group_->face,
-                         solution_[at(i)] + trend(component, mesh_->point(p)));
+                         solution_[index(i)] + trend(component, mesh_->point(p)));
   }
   return missing;
 }
@@ -185,7 +185,7 @@ void FieldFit::collect_takers(const Component& component, bool corners) {
     if (!group_->contains(mesh_->face(t))) continue;
     const auto ids = mesh_->net(t);
     for (int k = corners ? 0 : 3; k < (corners ? 3 : mesh_->layout().first_interior()); ++k) {
-      const PointId p = ids[at(k)];
+      const PointId p = ids[index(k)];
       if (unknown_of(p) >= 0 || std::find(takers_.begin(), takers_.end(), p) != takers_.end()) continue;
       takers_.push_back(p);
       taker_faces_.push_back(mesh_->face(t));

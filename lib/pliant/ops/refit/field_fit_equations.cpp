@@ -5,14 +5,13 @@
 #include <cmath>
 
 #include "pliant/geometry/control_net.h"
+#include "pliant/geometry/index.h"
 #include "pliant/geometry/invert_map.h"
 #include "pliant/geometry/node_basis.h"
 #include "pliant/ops/refit/field_fit.h"
 
 namespace pliant {
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 constexpr double inside = -1e-12;  // a place with these barycentric coordinates is in the element, but for rounding
 
@@ -43,42 +42,42 @@ void FieldFit::take_residuals() {
     constexpr Range empty{HUGE_VAL, -HUGE_VAL};
     components_.push_back({component, patch_->linear_of(component.column, face, moments), empty, empty, empty, 0});
   }
-  old_residuals_.assign(patch_->elements_.size() * at(size_ * columns_), 0.0);
+  old_residuals_.assign(patch_->elements_.size() * index(size_ * columns_), 0.0);
   Net net;
   Weights weights{};
   for (std::size_t e = 0; e < patch_->elements_.size(); ++e) {
     const Patch::Element& old = patch_->elements_[e];
     if (!group_->contains(old.face)) continue;
-    for (int k = 0; k < size_; ++k) net[at(k)] = patch_->old_point(old, k);
-    if (conserves_) integral_weights(patch_->degree_, {net.data(), at(size_)}, weights);
+    for (int k = 0; k < size_; ++k) net[index(k)] = patch_->old_point(old, k);
+    if (conserves_) integral_weights(patch_->degree_, {net.data(), index(size_)}, weights);
     for (int c = 0; c < columns_; ++c) take_residuals(e, c, net, weights);
   }
 }
 
 void FieldFit::take_residuals(std::size_t element, int c, const Net& net, const Weights& weights) {
-  Component component = components_[at(c)];
+  Component component = components_[index(c)];
   const std::span<const double> rows = patch_->rows(patch_->elements_[element]);
-  const std::span<double> residuals = std::span<double>(old_residuals_).subspan(element * at(size_ * columns_));
+  const std::span<double> residuals = std::span<double>(old_residuals_).subspan(element * index(size_ * columns_));
   for (int k = 0; k < size_; ++k) {
-    const double value = rows[at(k * patch_->width_ + component.column)];
-    const double linear = trend(component, net[at(k)]), residual = value - linear;
-    residuals[at(k * columns_ + c)] = residual;
+    const double value = rows[index(k * patch_->width_ + component.column)];
+    const double linear = trend(component, net[index(k)]), residual = value - linear;
+    residuals[index(k * columns_ + c)] = residual;
     component.values.include(value);
     component.residuals.include(residual);
     component.trends.include(linear);
-    component.target += weights[at(k)] * residual;
+    component.target += weights[index(k)] * residual;
   }
-  components_[at(c)] = component;
+  components_[index(c)] = component;
 }
 
 void FieldFit::assemble() {
   const int n = unknown_count();
   const bool samples = n > 0 && !(conserves_ && n == 1);  // one value and one integral: nothing is left to fit
-  normal_.assign(at(n * n), 0.0);
-  right_.assign(at(n * columns_), 0.0);
-  weights_.assign(at(n), 0.0);
-  known_.resize(at(size_ * columns_));
-  sample_.resize(at(columns_));
+  normal_.assign(index(n * n), 0.0);
+  right_.assign(index(n * columns_), 0.0);
+  weights_.assign(index(n), 0.0);
+  known_.resize(index(size_ * columns_));
+  sample_.resize(index(columns_));
   Net net;
   for (const TriangleId t : now_) {
     if (!group_->contains(mesh_->face(t))) continue;
@@ -88,26 +87,26 @@ void FieldFit::assemble() {
   }
   equation_scale_ = weight_scale_ = 0;
   for (int i = 0; i < n; ++i) {
-    equation_scale_ += normal_[at(i * n + i)] / n;
-    weight_scale_ = std::max(weight_scale_, std::abs(weights_[at(i)]));
+    equation_scale_ += normal_[index(i * n + i)] / n;
+    weight_scale_ = std::max(weight_scale_, std::abs(weights_[index(i)]));
   }
 }
 
 void FieldFit::take_known(TriangleId t, const Net& net) {
   const auto ids = mesh_->net(t);
   Weights weights;
-  if (conserves_) integral_weights(patch_->degree_, {net.data(), at(size_)}, weights);
+  if (conserves_) integral_weights(patch_->degree_, {net.data(), index(size_)}, weights);
   for (int k = 0; k < size_; ++k) {
-    const int i = unknown_[at(k)] = unknown_of(ids[at(k)]);
+    const int i = unknown_[index(k)] = unknown_of(ids[index(k)]);
     if (i >= 0) {
-      if (conserves_) weights_[at(i)] += weights[at(k)];
+      if (conserves_) weights_[index(i)] += weights[index(k)];
       continue;
     }
     for (int c = 0; c < columns_; ++c) {
-      Component& component = components_[at(c)];
-      const double residual = current(ids[at(k)], mesh_->face(t), component) - trend(component, net[at(k)]);
-      known_[at(k * columns_ + c)] = residual;
-      if (conserves_) component.target -= weights[at(k)] * residual;
+      Component& component = components_[index(c)];
+      const double residual = current(ids[index(k)], mesh_->face(t), component) - trend(component, net[index(k)]);
+      known_[index(k * columns_ + c)] = residual;
+      if (conserves_) component.target -= weights[index(k)] * residual;
     }
   }
 }
@@ -119,22 +118,24 @@ void FieldFit::add_samples(const Net& net) {
     const TriangleNode& node = table.nodes[q];
     const std::span<const double> basis = table.at(q);
     std::array<double, 2> place, along_2, along_3;
-    evaluate_net(degree, 2, {&net[0].x, at(2 * size_)}, node.xi, place, along_2, along_3);
+    evaluate_net(degree, 2, {&net[0].x, index(2 * size_)}, node.xi, place, along_2, along_3);
     const double measure = node.weight * (along_2[0] * along_3[1] - along_2[1] * along_3[0]);
     const std::optional<OldPlace> old = find_old({place[0], place[1]});
     if (!old) continue;
-    const std::size_t length = at(size_ * columns_);
+    const std::size_t length = index(size_ * columns_);
     evaluate_net(degree, columns_, std::span<const double>(old_residuals_).subspan(old->element * length, length),
                  old->xi, sample_);
     for (int k = 0; k < size_; ++k)
-      if (unknown_[at(k)] < 0)
-        for (int c = 0; c < columns_; ++c) sample_[at(c)] -= basis[at(k)] * known_[at(k * columns_ + c)];
+      if (unknown_[index(k)] < 0)
+        for (int c = 0; c < columns_; ++c) sample_[index(c)] -= basis[index(k)] * known_[index(k * columns_ + c)];
     for (int k = 0; k < size_; ++k) {
-      const int i = unknown_[at(k)];
+      const int i = unknown_[index(k)];
       if (i < 0) continue;
-      for (int c = 0; c < columns_; ++c) right_[at(i * columns_ + c)] += measure * basis[at(k)] * sample_[at(c)];
+      for (int c = 0; c < columns_; ++c)
+        right_[index(i * columns_ + c)] += measure * basis[index(k)] * sample_[index(c)];
       for (int m = 0; m < size_; ++m)
-        if (unknown_[at(m)] >= 0) normal_[at(i * n + unknown_[at(m)])] += measure * basis[at(k)] * basis[at(m)];
+        if (unknown_[index(m)] >= 0)
+          normal_[index(i * n + unknown_[index(m)])] += measure * basis[index(k)] * basis[index(m)];
     }
   }
 }
@@ -146,8 +147,8 @@ std::optional<FieldFit::OldPlace> FieldFit::find_old(const Point& place) const {
   for (std::size_t e = 0; e < patch_->elements_.size() && depth < inside; ++e) {
     const Patch::Element& old = patch_->elements_[e];
     if (!group_->contains(old.face)) continue;
-    for (int k = 0; k < size_; ++k) net[at(k)] = patch_->old_point(old, k);
-    const auto xi = invert_map(patch_->degree_, {net.data(), at(size_)}, place, 1e-13 * patch_->size_);
+    for (int k = 0; k < size_; ++k) net[index(k)] = patch_->old_point(old, k);
+    const auto xi = invert_map(patch_->degree_, {net.data(), index(size_)}, place, 1e-13 * patch_->size_);
     if (!xi) continue;
     const double least = std::min({(*xi)[0], (*xi)[1], (*xi)[2]});
     if (least > depth) depth = least, best = {e, *xi};

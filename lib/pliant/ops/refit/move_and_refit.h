@@ -3,23 +3,24 @@
 #include <span>
 
 #include "pliant/ops/build_triangle.h"
+#include "pliant/ops/outcome.h"
 #include "pliant/ops/refit/refit.h"
 
 namespace pliant {
 
 /// Runs `move` on a patch, then refits the given points' fields; rolled back unless all elements are valid.
 template <class Move>
-Refusal move_and_refit(Mesh& mesh, std::span<const TriangleId> elements, std::span<const PointId> points,
+Outcome move_and_refit(Mesh& mesh, std::span<const TriangleId> elements, std::span<const PointId> points,
                        const RefitOptions& options, Move move) {
   const bool was_valid = all_valid(mesh, elements);
   Transaction transaction(mesh);
   thread_local Patch patch;
   patch.capture(mesh, elements);
   move();
-  if (!all_valid(mesh, elements)) return Refusal::would_invert;
-  if (!patch.fit_fields(mesh, elements, points, options, was_valid)) return Refusal::loses_integral;
+  if (!all_valid(mesh, elements)) return Outcome::would_invert;
+  if (!patch.fit_fields(mesh, elements, points, options, was_valid)) return Outcome::loses_integral;
   transaction.commit();
-  return Refusal::done;
+  return Outcome::done;
 }
 
 }  // namespace pliant

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "pliant/mesh/mesh.h"
-#include "pliant/ops/outcome.h"
+#include "pliant/ops/refit_options.h"
 
 namespace pliant {
 

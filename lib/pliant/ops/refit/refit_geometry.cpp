@@ -9,6 +9,7 @@
 
 #include "pliant/geometry/bernstein.h"
 #include "pliant/geometry/dense/solve_dense.h"
+#include "pliant/geometry/index.h"
 #include "pliant/geometry/linear_triangle.h"
 #include "pliant/geometry/node_basis.h"
 #include "pliant/geometry/placement/optimal_placement.h"
@@ -31,8 +32,6 @@ constexpr double weight_growth = 3;
 constexpr double least_share = 1e-6;  // of a logical triangle in the region
 constexpr double rounding = 0x1p-51;  // of a coordinate: shorter displacements are none
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
 /// Where control point k of a straight triangle stands.
 Point straight(const NetLayout& layout, int k, const Point& a, const Point& b, const Point& c) {
   const int j = layout.exponents(k)[1], l = layout.exponents(k)[2];
@@ -48,7 +47,7 @@ int index_in(std::span<const PointId> free, PointId p) {
 /// not positive. What each element should have: its share of the region, as the logical triangles divide it.
 bool even_out(Mesh& mesh, std::span<const TriangleId> now, std::span<const PointId> free) {
   thread_local std::vector<double> targets, ratios, weights;
-  const std::size_t n = at(mesh.net_size()), m = at(net_size(jacobian_degree(mesh.degree())));
+  const std::size_t n = index(mesh.net_size()), m = index(net_size(jacobian_degree(mesh.degree())));
   std::array<Point, net_size(max_degree)> net;
   targets.clear();
   double region = 0, logical = 0;
@@ -78,7 +77,7 @@ bool even_out(Mesh& mesh, std::span<const TriangleId> now, std::span<const Point
 /// Optimal placement of the free points, one after the other, from where they are, until every element is valid or a
 /// sweep gains little.
 bool sweep_placements(Mesh& mesh, std::span<const TriangleId> now, std::span<const PointId> free) {
-  const std::size_t n = at(mesh.net_size());
+  const std::size_t n = index(mesh.net_size());
   std::array<std::array<Point, net_size(max_degree)>, 8> nets;
   std::array<PlacementElement, 8> elements;
   double reached = -HUGE_VAL;
@@ -180,12 +179,12 @@ void Patch::capture(const Mesh& mesh, std::span<const TriangleId> old) {
   width_ = mesh.width();
   size_ = mesh.size();
   elements_.clear();
-  rows_.resize(old.size() * at(n_ * width_));
+  rows_.resize(old.size() * index(n_ * width_));
   std::size_t first = 0;
   for (const TriangleId t : old) {
     elements_.push_back({mesh.face(t), first});
-    mesh.gather(t, std::span<double>(rows_).subspan(first, at(n_ * width_)));
-    first += at(n_ * width_);
+    mesh.gather(t, std::span<double>(rows_).subspan(first, index(n_ * width_)));
+    first += index(n_ * width_);
   }
   origin_ = old_point(elements_[0], 0);
   reach_ = 0;
@@ -207,8 +206,8 @@ void Patch::fit_displacement(const Mesh& mesh, std::span<const TriangleId> now, 
   const NodeBasis& table = node_basis(degree_);
   const int unknowns = static_cast<int>(free.size());
   thread_local std::vector<double> normal, right;
-  normal.assign(at(unknowns * unknowns), 0.0);
-  right.assign(at(2 * unknowns), 0.0);
+  normal.assign(index(unknowns * unknowns), 0.0);
+  right.assign(index(2 * unknowns), 0.0);
   std::array<Vector, net_size(max_degree)> known;
   std::array<std::pair<int, int>, net_size(max_degree)> unknown;  // place in the net, number
   std::array<double, net_size(max_degree)> old_basis;
@@ -217,9 +216,9 @@ void Patch::fit_displacement(const Mesh& mesh, std::span<const TriangleId> now, 
     const Point a = mesh.point(net[0]), b = mesh.point(net[1]), c = mesh.point(net[2]);
     std::size_t own = 0;            // unknowns in this element
     for (int k = 3; k < n_; ++k) {  // corners are where the straight triangle has them
-      const int u = index_in(free, net[at(k)]);
+      const int u = index_in(free, net[index(k)]);
       if (u >= 0) unknown[own++] = {k, u};
-      known[at(k)] = u < 0 ? mesh.point(net[at(k)]) - straight(layout, k, a, b, c) : Vector{};
+      known[index(k)] = u < 0 ? mesh.point(net[index(k)]) - straight(layout, k, a, b, c) : Vector{};
     }
     const double area = triangle_area(a, b, c);
     for (std::size_t node = 0; node < table.nodes.size(); ++node) {
@@ -240,24 +239,24 @@ void Patch::fit_displacement(const Mesh& mesh, std::span<const TriangleId> now, 
       } else {
         bernstein_basis(degree_, best_xi, old_basis);
       }
-      const double* const old = displacement.data() + best * at(2 * n_);
+      const double* const old = displacement.data() + best * index(2 * n_);
       const std::span<const double> basis = table.at(node);
       Vector rest{};
       for (int k = 3; k < n_; ++k)
-        rest += old_basis[at(k)] * Vector{old[2 * k], old[2 * k + 1]} - basis[at(k)] * known[at(k)];
+        rest += old_basis[index(k)] * Vector{old[2 * k], old[2 * k + 1]} - basis[index(k)] * known[index(k)];
       const double weight = table.nodes[node].weight * area;
       for (std::size_t i = 0; i < own; ++i) {
         const auto& [k, u] = unknown[i];
-        const double share = weight * basis[at(k)];
-        right[at(2 * u)] += share * rest.x;
-        right[at(2 * u + 1)] += share * rest.y;
+        const double share = weight * basis[index(k)];
+        right[index(2 * u)] += share * rest.x;
+        right[index(2 * u + 1)] += share * rest.y;
         for (std::size_t j = 0; j < own; ++j)
-          normal[at(u * unknowns + unknown[j].second)] += share * basis[at(unknown[j].first)];
+          normal[index(u * unknowns + unknown[j].second)] += share * basis[index(unknown[j].first)];
       }
     }
   }
   solve_dense(unknowns, normal, 2, right);
-  for (int u = 0; u < unknowns; ++u) solution[at(u)] = {right[at(2 * u)], right[at(2 * u + 1)]};
+  for (int u = 0; u < unknowns; ++u) solution[index(u)] = {right[index(2 * u)], right[index(2 * u + 1)]};
 }
 
 bool Patch::fit_geometry(Mesh& mesh, std::span<const TriangleId> now, std::span<const PointId> free,
@@ -267,15 +266,15 @@ bool Patch::fit_geometry(Mesh& mesh, std::span<const TriangleId> now, std::span<
   // The old displacements, as nets over the straight triangles, and how long they are: below the rounding of the
   // coordinates themselves they are none.
   thread_local std::vector<double> displacement;
-  displacement.resize(elements_.size() * at(2 * n_));
+  displacement.resize(elements_.size() * index(2 * n_));
   double longest = 0, reach = 0;  // squared; of the coordinates
   for (std::size_t e = 0; e < elements_.size(); ++e)
     for (int k = 0; k < n_; ++k) {
       const Element& old = elements_[e];
       const Point p = old_point(old, k);
       const Vector d = p - straight(layout, k, old_point(old, 0), old_point(old, 1), old_point(old, 2));
-      displacement[e * at(2 * n_) + at(2 * k)] = d.x;
-      displacement[e * at(2 * n_) + at(2 * k + 1)] = d.y;
+      displacement[e * index(2 * n_) + index(2 * k)] = d.x;
+      displacement[e * index(2 * n_) + index(2 * k + 1)] = d.y;
       longest = std::max(longest, squared_length(d));
       reach = std::max({reach, std::abs(p.x), std::abs(p.y)});
     }
@@ -289,13 +288,13 @@ bool Patch::fit_geometry(Mesh& mesh, std::span<const TriangleId> now, std::span<
       const auto net = mesh.net(t);
       const Point &a = mesh.point(net[0]), &b = mesh.point(net[1]), &c = mesh.point(net[2]);
       for (int k = 3; k < n_; ++k) {
-        const int u = index_in(free, net[at(k)]);
+        const int u = index_in(free, net[index(k)]);
         if (u < 0) continue;
-        Vector d = solution[at(u)];
+        Vector d = solution[index(u)];
         if (!is_finite(d)) d = {0, 0};
         const double far = std::sqrt(squared_length(d));
         if (far > longest) d *= longest / far;
-        mesh.set_point(net[at(k)], straight(layout, k, a, b, c) + d);
+        mesh.set_point(net[index(k)], straight(layout, k, a, b, c) + d);
       }
     }
     return all_valid(mesh, now);

@@ -3,14 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "pliant/geometry/index.h"
 #include "pliant/ops/refit/refit.h"
 
 namespace pliant {
-namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
-}  // namespace
+namespace {}  // namespace
 
 Patch::Moments Patch::moments_of(FaceId face) const {
   Moments m;
@@ -54,7 +51,7 @@ Patch::Linear Patch::linear_of(int column, FaceId face, const Moments& m) const 
   for (const Element& e : elements_) {
     if (face != none && e.face != face) continue;
     for (int k = 0; k < n_; ++k) {
-      double u = rows_[e.first_row + at(k * width_ + column)];
+      double u = rows_[e.first_row + index(k * width_ + column)];
       if (first) base = u, first = false;
       u -= base;
       sum += u;

@@ -6,17 +6,14 @@
 #include <cmath>
 #include <utility>
 
+#include "pliant/geometry/index.h"
 #include "pliant/ops/refit/refit.h"
 
 namespace pliant {
-namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
-}  // namespace
+namespace {}  // namespace
 
 std::size_t RegionIntegrals::place(int column, FaceId f, bool by_face) const {
-  const std::size_t first = at(column) * (faces_.size() + 1);
+  const std::size_t first = index(column) * (faces_.size() + 1);
   if (!by_face) return first;
   return first + 1 + static_cast<std::size_t>(std::find(faces_.begin(), faces_.end(), f) - faces_.begin());
 }
@@ -27,21 +24,21 @@ void RegionIntegrals::take(const Mesh& mesh, std::span<const TriangleId> element
     if (std::find(faces_.begin(), faces_.end(), mesh.face(t)) == faces_.end()) faces_.push_back(mesh.face(t));
   std::sort(faces_.begin(), faces_.end());
   const int n = mesh.net_size(), width = mesh.width();
-  sums_.assign(at(width) * (faces_.size() + 1), 0.0);
+  sums_.assign(index(width) * (faces_.size() + 1), 0.0);
   sizes_.assign(sums_.size(), 0.0);
   std::array<Point, net_size(max_degree)> net;
   std::array<double, net_size(max_degree)> weights;
   thread_local std::vector<double> rows;
-  rows.resize(at(n * width));
+  rows.resize(index(n * width));
   for (const TriangleId t : elements) {
     mesh.gather_points(t, net);
     mesh.gather(t, rows);
-    integral_weights(mesh.degree(), {net.data(), at(n)}, weights);
+    integral_weights(mesh.degree(), {net.data(), index(n)}, weights);
     for (int c = 2; c < width; ++c)
       for (const bool by_face : {false, true}) {
         const std::size_t i = place(c, mesh.face(t), by_face);
         for (int k = 0; k < n; ++k) {
-          const double part = weights[at(k)] * rows[at(k * width + c)];
+          const double part = weights[index(k)] * rows[index(k * width + c)];
           sums_[i] += part;
           sizes_[i] += std::abs(part);
         }
@@ -71,7 +68,7 @@ void RegionIntegrals::restore(Mesh& mesh, std::span<const TriangleId> elements, 
       if (by_face && mesh.face(t) != f) continue;
       const auto ids = mesh.net(t);
       for (int k = 0; k < mesh.net_size(); ++k) {
-        const PointId p = ids[at(k)];
+        const PointId p = ids[index(k)];
         if (std::find(seen.begin(), seen.end(), p) != seen.end()) continue;
         seen.push_back(p);
         takers.emplace_back(p, weight_in_mesh(mesh, p, t, k, by_face));
@@ -80,12 +77,12 @@ void RegionIntegrals::restore(Mesh& mesh, std::span<const TriangleId> elements, 
     }
     int column = 2;
     for (int field = 0; field < static_cast<int>(mesh.fields().size()); ++field)
-      for (int c = 0; c < mesh.fields()[at(field)].components; ++c, ++column) {
-        if (mesh.fields()[at(field)].by_face != by_face || !(squares > 0)) continue;
+      for (int c = 0; c < mesh.fields()[index(field)].components; ++c, ++column) {
+        if (mesh.fields()[index(field)].by_face != by_face || !(squares > 0)) continue;
         const double step = (sum_of(column, f, by_face) - now.sum_of(column, f, by_face)) / squares;
         for (const auto& [p, weight] : takers) {
           const auto first = static_cast<std::size_t>(mesh.value_index(field, p, f));
-          mesh.put_component(field, c, p, f, mesh.fields()[at(field)].values[first + at(c)] + step * weight);
+          mesh.put_component(field, c, p, f, mesh.fields()[index(field)].values[first + index(c)] + step * weight);
         }
       }
   };

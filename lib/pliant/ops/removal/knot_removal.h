@@ -11,7 +11,7 @@ namespace pliant {
 
 /// What a removal would do to the curve, or why it is refused.
 struct KnotRemoval {
-  Refusal refusal = Refusal::done;
+  Outcome outcome = Outcome::done;
   double error = 0;
   Passage passage;
   PointId from = 0, to = 0;  ///< the ends of the edge that is left

@@ -5,15 +5,12 @@
 #include <array>
 #include <cmath>
 
+#include "pliant/geometry/index.h"
 #include "pliant/mesh/star.h"
 #include "pliant/ops/flip_edge.h"
 
 namespace pliant {
-namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
-}  // namespace
+namespace {}  // namespace
 
 double depth_in_circle(const Point& a, const Point& b, const Point& c, const Point& v) {
   const Vector p = a - v, q = b - v, r = c - v;
@@ -29,15 +26,15 @@ bool reduce_fan(Mesh& mesh, PointId v, Fan& fan, bool closed, int triangles, con
     if (left <= triangles) return left == triangles;
     ears.clear();
     for (int i = closed ? 0 : 1; i < (closed ? count : count - 1); ++i) {
-      const Point &a = mesh.point(fan[at((i + count - 1) % count)]), &b = mesh.point(fan[at(i)]),
-                  &c = mesh.point(fan[at((i + 1) % count)]);
+      const Point &a = mesh.point(fan[index((i + count - 1) % count)]), &b = mesh.point(fan[index(i)]),
+                  &c = mesh.point(fan[index((i + 1) % count)]);
       if (cross(b - a, c - a) > 0) ears.emplace_back(depth_in_circle(a, b, c, mesh.point(v)), i);
     }
     std::sort(ears.begin(), ears.end());
     bool flipped = false;
     for (const auto& [depth, i] : ears) {
-      const HalfEdgeId spoke = find_half_edge(mesh, v, fan[at(i)]);
-      if (spoke == none || flip_edge(mesh, spoke, options) != Refusal::done) continue;
+      const HalfEdgeId spoke = find_half_edge(mesh, v, fan[index(i)]);
+      if (spoke == none || flip_edge(mesh, spoke, options) != Outcome::done) continue;
       fan.erase(fan.begin() + i);
       flipped = true;
       break;
@@ -68,9 +65,9 @@ bool recover_merged(const Mesh& mesh, PointId v, std::span<const PointId> fan, P
   const auto corners = [&](HalfEdgeId h, const Barycentric& origin, const Barycentric& target,
                            const Barycentric& apex) {
     std::array<Barycentric, 3> c;
-    c[at(edge_of(h))] = origin;
-    c[at((edge_of(h) + 1) % 3)] = target;
-    c[at((edge_of(h) + 2) % 3)] = apex;
+    c[index(edge_of(h))] = origin;
+    c[index((edge_of(h) + 1) % 3)] = target;
+    c[index((edge_of(h) + 2) % 3)] = apex;
     return c;
   };
   return parent.find_inner(std::array{corners(h0, on_edge, q0, q1), corners(h1, on_edge, q1, q2)});

@@ -5,7 +5,7 @@
 
 #include "pliant/mesh/mesh.h"
 #include "pliant/ops/build_triangle.h"
-#include "pliant/ops/outcome.h"
+#include "pliant/ops/refit_options.h"
 #include "pliant/ops/removal/recover_parent.h"
 
 namespace pliant {

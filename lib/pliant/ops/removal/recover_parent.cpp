@@ -7,11 +7,10 @@
 #include "pliant/geometry/bernstein.h"
 #include "pliant/geometry/control_net.h"
 #include "pliant/geometry/dense/least_squares.h"
+#include "pliant/geometry/index.h"
 
 namespace pliant {
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 constexpr int unit_block = 16;  // nets of this width are divided without allocation
 
@@ -32,29 +31,29 @@ void ParentRecovery::start(const Mesh& mesh, std::span<const TriangleId> pieces)
   for (int c = 2; c < width_; ++c) linear_.push_back(patch_.linear_of(c, none, moments));
   const std::span<const double> rows = patch_.all_rows();
   pieces_.assign(rows.begin(), rows.end());
-  largest_.assign(at(width_), 0.0);
+  largest_.assign(index(width_), 0.0);
   for (std::size_t k = 0; k < rows.size(); ++k) {
-    double& largest = largest_[k % at(width_)];
+    double& largest = largest_[k % index(width_)];
     largest = std::max(largest, std::abs(rows[k]));
   }
-  tolerances_.assign(at(width_), mesh.tolerance());
-  for (std::size_t c = 2; c < at(width_); ++c)
+  tolerances_.assign(index(width_), mesh.tolerance());
+  for (std::size_t c = 2; c < index(width_); ++c)
     tolerances_[c] = subdivision_tolerance * largest_[c] +
                      (std::abs(linear_[c - 2].c1) + std::abs(linear_[c - 2].c2)) * mesh.tolerance();
   origin_ = {rows[0], rows[1]};
   reduce(pieces_);
-  for (std::size_t c = 2; c < at(width_); ++c) {
+  for (std::size_t c = 2; c < index(width_); ++c) {
     double rest = 0;
-    for (std::size_t k = c; k < pieces_.size(); k += at(width_)) rest = std::max(rest, std::abs(pieces_[k]));
+    for (std::size_t k = c; k < pieces_.size(); k += index(width_)) rest = std::max(rest, std::abs(pieces_[k]));
     if (rest > patch_.rounding_of(linear_[c - 2], largest_[c])) continue;
-    for (std::size_t k = c; k < pieces_.size(); k += at(width_)) pieces_[k] = 0;
+    for (std::size_t k = c; k < pieces_.size(); k += index(width_)) pieces_[k] = 0;
   }
-  parent_.assign(at(n_ * width_), 0.0);
+  parent_.assign(index(n_ * width_), 0.0);
   reduced_.assign(parent_.size(), 0.0);
 }
 
 void ParentRecovery::reduce(std::span<double> rows) const {
-  for (std::size_t first = 0; first < rows.size(); first += at(width_)) {
+  for (std::size_t first = 0; first < rows.size(); first += index(width_)) {
     const Point place{rows[first], rows[first + 1]};
     for (std::size_t c = 0; c < linear_.size(); ++c) rows[first + 2 + c] -= patch_.evaluate(linear_[c], place);
     rows[first] -= origin_.x;
@@ -81,9 +80,9 @@ void ParentRecovery::take_edge(int e, int piece, int from) {
 bool ParentRecovery::find_edge(int e, double s, std::array<int, 2> first, std::array<int, 2> second) {
   const NetLayout& layout = NetLayout::of(degree_);
   const int p = degree_, unknowns = p - 1;
-  const std::size_t width = at(width_), half = at(p + 1) * width;
+  const std::size_t width = index(width_), half = index(p + 1) * width;
   const auto piece_row = [&](const std::array<int, 2>& edge, int k) {
-    return pieces_.data() + at((edge[0] * n_ + layout.edge_index(edge[1], k)) * width_);
+    return pieces_.data() + index((edge[0] * n_ + layout.edge_index(edge[1], k)) * width_);
   };
   // Polygon of the edge, its ends known; then the two halves that it should have.
   image_.assign(3 * half, 0.0);
@@ -95,7 +94,7 @@ bool ParentRecovery::find_edge(int e, double s, std::array<int, 2> first, std::a
     split_polygon(p, width_, polygon, s, halves.first(half), halves.last(half));
     for (int k = 0; k <= p; ++k)
       for (std::size_t c = 0; c < width; ++c) {
-        const std::size_t i = at(k) * width + c;
+        const std::size_t i = index(k) * width + c;
         residual_[i] = piece_row(first, k)[c] - halves[i];
         residual_[half + i] = piece_row(second, k)[c] - halves[half + i];
       }
@@ -107,18 +106,18 @@ bool ParentRecovery::find_edge(int e, double s, std::array<int, 2> first, std::a
     std::array<double, max_degree + 1> basis;
     for (int k = 0; k <= p; ++k) {
       bernstein_basis(k, s, basis);
-      for (int i = 1; i <= std::min(k, unknowns); ++i) matrix[at((i - 1) * rows + k)] = basis[at(i)];
+      for (int i = 1; i <= std::min(k, unknowns); ++i) matrix[index((i - 1) * rows + k)] = basis[index(i)];
       bernstein_basis(p - k, s, basis);
-      for (int i = std::max(k, 1); i <= unknowns; ++i) matrix[at((i - 1) * rows + p + 1 + k)] = basis[at(i - k)];
+      for (int i = std::max(k, 1); i <= unknowns; ++i) matrix[index((i - 1) * rows + p + 1 + k)] = basis[index(i - k)];
     }
     if (!squares.factor()) return false;
-    right_.resize(at(rows));
+    right_.resize(index(rows));
     for (int refinement = 0; refinement < 2; ++refinement) {
       find_residual();
       for (std::size_t c = 0; c < width; ++c) {
-        for (std::size_t k = 0; k < at(rows); ++k) right_[k] = residual_[k * width + c];
+        for (std::size_t k = 0; k < index(rows); ++k) right_[k] = residual_[k * width + c];
         squares.solve(right_);
-        for (std::size_t i = 0; i < at(unknowns); ++i) polygon[(i + 1) * width + c] += right_[i];
+        for (std::size_t i = 0; i < index(unknowns); ++i) polygon[(i + 1) * width + c] += right_[i];
       }
     }
   }
@@ -129,7 +128,7 @@ bool ParentRecovery::find_edge(int e, double s, std::array<int, 2> first, std::a
     const auto to = layout.edge_index(e, k) * width_;
     std::copy_n(polygon.begin() + k * width_, width_, reduced_.begin() + to);
     std::copy_n(polygon.begin() + k * width_, width_, parent_.begin() + to);
-    complete(std::span<double>(parent_).subspan(at(to), width));
+    complete(std::span<double>(parent_).subspan(index(to), width));
   }
   return true;
 }
@@ -137,8 +136,8 @@ bool ParentRecovery::find_edge(int e, double s, std::array<int, 2> first, std::a
 void ParentRecovery::place_edge(int e, std::span<const Point> points) {
   const NetLayout& layout = NetLayout::of(degree_);
   for (int k = 1; k < degree_; ++k) {
-    const std::size_t to = at(layout.edge_index(e, k) * width_);
-    const Point& place = points[at(k)];
+    const std::size_t to = index(layout.edge_index(e, k) * width_);
+    const Point& place = points[index(k)];
     reduced_[to] = place.x - origin_.x;
     reduced_[to + 1] = place.y - origin_.y;
     parent_[to] = place.x;
@@ -150,7 +149,7 @@ void ParentRecovery::place_edge(int e, std::span<const Point> points) {
 
 /// residual_ = the pieces less the sub-nets of the parent; true if all of it is within the tolerance.
 bool ParentRecovery::subtract_pieces(std::span<const std::array<Barycentric, 3>> corners) {
-  const std::size_t each = at(n_ * width_);
+  const std::size_t each = index(n_ * width_);
   residual_.resize(pieces_.size());
   bool is_small = true;
   for (std::size_t piece = 0; piece < corners.size(); ++piece) {
@@ -159,7 +158,7 @@ bool ParentRecovery::subtract_pieces(std::span<const std::array<Barycentric, 3>>
     sub_net(degree_, width_, reduced_, a, b, c, rest);
     for (std::size_t k = 0; k < each; ++k) {
       rest[k] = pieces_[piece * each + k] - rest[k];
-      is_small = is_small && std::abs(rest[k]) <= tolerances_[k % at(width_)];
+      is_small = is_small && std::abs(rest[k]) <= tolerances_[k % index(width_)];
     }
   }
   return is_small;
@@ -174,29 +173,29 @@ bool ParentRecovery::find_inner(std::span<const std::array<Barycentric, 3>> corn
   const std::span<double> matrix = squares.start(rows, unknowns);
   for (int block = 0; block < unknowns; block += unit_block) {
     const int count = std::min(unit_block, unknowns - block);
-    units_.assign(at(n_ * count), 0.0);
-    for (int m = 0; m < count; ++m) units_[at((first + block + m) * count + m)] = 1;
+    units_.assign(index(n_ * count), 0.0);
+    for (int m = 0; m < count; ++m) units_[index((first + block + m) * count + m)] = 1;
     image_.resize(units_.size());
     for (std::size_t piece = 0; piece < corners.size(); ++piece) {
       const auto& [a, b, c] = corners[piece];
       sub_net(degree_, count, units_, a, b, c, image_);
       for (int m = 0; m < count; ++m)
         for (int k = 0; k < n_; ++k)
-          matrix[at((block + m) * rows + static_cast<int>(piece) * n_ + k)] = image_[at(k * count + m)];
+          matrix[index((block + m) * rows + static_cast<int>(piece) * n_ + k)] = image_[index(k * count + m)];
     }
   }
   if (!squares.factor()) return false;
-  right_.resize(at(rows));
+  right_.resize(index(rows));
   for (int refinement = 0; refinement < 2; ++refinement) {
     subtract_pieces(corners);
     for (int c = 0; c < width_; ++c) {
-      for (int k = 0; k < rows; ++k) right_[at(k)] = residual_[at(k * width_ + c)];
+      for (int k = 0; k < rows; ++k) right_[index(k)] = residual_[index(k * width_ + c)];
       squares.solve(right_);
-      for (int m = 0; m < unknowns; ++m) reduced(first + m)[c] += right_[at(m)];
+      for (int m = 0; m < unknowns; ++m) reduced(first + m)[c] += right_[index(m)];
     }
   }
   for (int k = first; k < n_; ++k) {
-    const auto row = std::span<double>(parent_).subspan(at(k * width_), at(width_));
+    const auto row = std::span<double>(parent_).subspan(index(k * width_), index(width_));
     std::copy_n(reduced(k), width_, row.begin());
     complete(row);
   }

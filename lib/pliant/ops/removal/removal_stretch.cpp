@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "pliant/geometry/index.h"
+
 namespace pliant {
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// Calls `visit` with k and the index of control point first + k, k = 0 .. count - 1, those left out that do not exist.
 template <class Visit>
@@ -52,9 +52,9 @@ RemovalStretch::RemovalStretch(const Mesh& mesh, CurveId curve, double knot)
     starts_.push_back(t);
   }
   area_ = area(spline) + spline.swept_area(knot, origin_);
-  points_.resize(at(2 * reach(spline) + 1));
+  points_.resize(index(2 * reach(spline) + 1));
   visit_points(spline, spline.interval(knot) - reach(spline), 2 * reach(spline) + 1,
-               [&](int k, int i) { points_[at(k)] = spline.points()[at(i)]; });
+               [&](int k, int i) { points_[index(k)] = spline.points()[index(i)]; });
 }
 
 double RemovalStretch::area(const BSpline& spline) const {
@@ -85,10 +85,10 @@ double RemovalStretch::restore_area(Mesh& mesh) const {
   // The area is quadratic in the points, so central differences are its gradient, whatever the step.
   Box box;
   visit_points(spline, spline.interval(place) - reach(spline), 2 * reach(spline) + 1,
-               [&](int, int i) { box.extend(spline.points()[at(i)]); });
+               [&](int, int i) { box.extend(spline.points()[index(i)]); });
   const double step = std::ldexp(1.0, std::ilogb(box.size()));
   const auto area_with = [&](int k, const Point& there) {
-    const Point kept = spline.points()[at(k)];
+    const Point kept = spline.points()[index(k)];
     mesh.set_curve_point(curve_, k, there);
     const double area = this->area(spline);
     mesh.set_curve_point(curve_, k, kept);
@@ -97,7 +97,7 @@ double RemovalStretch::restore_area(Mesh& mesh) const {
   double squares = 0;
   std::vector<Vector> gradient;
   for (const int k : near) {
-    const Point p0 = spline.points()[at(k)];
+    const Point p0 = spline.points()[index(k)];
     gradient.push_back({(area_with(k, p0 + Vector{step, 0}) - area_with(k, p0 - Vector{step, 0})) / (2 * step),
                         (area_with(k, p0 + Vector{0, step}) - area_with(k, p0 - Vector{0, step})) / (2 * step)});
     squares += squared_length(gradient.back());
@@ -109,7 +109,7 @@ double RemovalStretch::restore_area(Mesh& mesh) const {
     if (!(std::abs(missing) < last)) break;
     last = std::abs(missing);
     for (std::size_t k = 0; k < near.size(); ++k)
-      mesh.set_curve_point(curve_, near[k], spline.points()[at(near[k])] + (missing / squares) * gradient[k]);
+      mesh.set_curve_point(curve_, near[k], spline.points()[index(near[k])] + (missing / squares) * gradient[k]);
   }
   if (last > 0.1 * box.tolerance() * box.size()) return HUGE_VAL;  // too much is missing for small steps
   return distance_to(mesh, place);
@@ -121,7 +121,7 @@ double RemovalStretch::distance_to(Mesh& mesh, double place) const {
   for (int m = multiplicity_; m > 0; --m) mesh.insert_knot(curve_, place);
   double error = 0;
   visit_points(spline, spline.interval(place) - reach(spline), 2 * reach(spline) + 1,
-               [&](int k, int i) { error = std::max(error, distance(points_[at(k)], spline.points()[at(i)])); });
+               [&](int k, int i) { error = std::max(error, distance(points_[index(k)], spline.points()[index(i)])); });
   return error;
 }
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <optional>
 
+#include "pliant/geometry/index.h"
 #include "pliant/ops/refit/refit.h"
 #include "pliant/ops/refit/region_integrals.h"
 #include "pliant/ops/removal/knot_removal.h"
@@ -11,8 +12,6 @@
 
 namespace pliant {
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 void add_once(std::vector<TriangleId>& list, TriangleId t) {
   if (std::find(list.begin(), list.end(), t) == list.end()) list.push_back(t);
@@ -32,7 +31,7 @@ class CurveVertexRemoval {
   using Polygon = std::array<Point, max_degree + 1>;
 
   /// All steps that change the mesh, in a transaction of the caller, who rolls it back where one refuses.
-  Refusal change(const CurveTolerance& tolerance);
+  Outcome change(const CurveTolerance& tolerance);
   /// Flips ears until each side of the curve has two triangles at the vertex. False where that is not possible.
   bool reduce_sides();
   /// Removes the knot from the curve, and notes where the curve's control points will be in the mesh.
@@ -102,7 +101,7 @@ CurveRemoval CurveVertexRemoval::run(Mesh& mesh, PointId v, const CurveTolerance
   // A trial first: the operations on ears ask for the curve as it is.
   Transaction trial(mesh);
   plan_ = try_removal(mesh, v, star_, tolerance);
-  if (plan_.refusal != Refusal::done) return {plan_.refusal, plan_.error};
+  if (plan_.outcome != Outcome::done) return {plan_.outcome, plan_.error};
   trial.roll_back();
   kept_ = mesh.constraint(plan_.passage.before);
   dropped_ = mesh.constraint(plan_.passage.after);
@@ -110,28 +109,28 @@ CurveRemoval CurveVertexRemoval::run(Mesh& mesh, PointId v, const CurveTolerance
   region_kept_ = plan_.error <= mesh.tolerance();
 
   Transaction transaction(mesh);
-  const Refusal refusal = change(tolerance);
-  CurveRemoval removal{refusal, plan_.error};
-  if (refusal != Refusal::done) return removal;
+  const Outcome outcome = change(tolerance);
+  CurveRemoval removal{outcome, plan_.error};
+  if (outcome != Outcome::done) return removal;
   if (!region_kept_ && mesh.width() > 2) settle_integrals(removal);
   transaction.commit();
   return removal;
 }
 
-Refusal CurveVertexRemoval::change(const CurveTolerance& tolerance) {
-  if (!reduce_sides()) return Refusal::not_removable;
+Outcome CurveVertexRemoval::change(const CurveTolerance& tolerance) {
+  if (!reduce_sides()) return Outcome::not_removable;
   find_star(*mesh_, vertex_, star_);
   passage_ = passage_at(*mesh_, vertex_, star_);
   find_footprint(*mesh_, passage_, footprint_);
   remove_knot(tolerance);
-  if (!collect_elements()) return Refusal::corner;
+  if (!collect_elements()) return Outcome::corner;
   capture_elements();
   recover_parents();
   merge_topology();
   plan_moves();
   move_points();
-  if (!place_inner_points()) return Refusal::would_invert;
-  return mesh_->width() == 2 || refit_fields() ? Refusal::done : Refusal::loses_integral;
+  if (!place_inner_points()) return Outcome::would_invert;
+  return mesh_->width() == 2 || refit_fields() ? Outcome::done : Outcome::loses_integral;
 }
 
 bool CurveVertexRemoval::reduce_sides() {
@@ -148,7 +147,7 @@ bool CurveVertexRemoval::reduce_sides() {
 
 CurveVertexRemoval::Polygon CurveVertexRemoval::extract(double start) const {
   Polygon polygon{};
-  mesh_->spline(plan_.passage.curve).extract(start, {polygon.data(), at(mesh_->degree() + 1)});
+  mesh_->spline(plan_.passage.curve).extract(start, {polygon.data(), index(mesh_->degree() + 1)});
   return polygon;
 }
 
@@ -162,10 +161,10 @@ void CurveVertexRemoval::remove_knot(const CurveTolerance& tolerance) {
   const int p = mesh_->degree();
   const CurveId curve = plan_.passage.curve;
   remove_break(*mesh_, curve, knot_, tolerance);  // as in the trial
-  mesh_->set_removal_error(curve, mesh_->boundary().curves[at(curve)].removal_error + plan_.error);
+  mesh_->set_removal_error(curve, mesh_->boundary().curves[index(curve)].removal_error + plan_.error);
   merged_ = extract(plan_.start);
   note_shift(plan_.from, merged_[0]);
-  note_shift(plan_.to, merged_[at(p)]);
+  note_shift(plan_.to, merged_[index(p)]);
   curve_places_.clear();
   for (std::size_t k = 0; k < footprint_.edges.size(); ++k) {
     const HalfEdgeId h = footprint_.half_edges[k];
@@ -174,9 +173,9 @@ void CurveVertexRemoval::remove_knot(const CurveTolerance& tolerance) {
     for (int i = 0; i <= p; ++i) {
       const PointId q = mesh_->edge_point(h, forward ? i : p - i);
       if (i == 0 || i == p)
-        note_shift(q, polygon[at(i)]);
+        note_shift(q, polygon[index(i)]);
       else
-        curve_places_.emplace_back(q, polygon[at(i)]);
+        curve_places_.emplace_back(q, polygon[index(i)]);
     }
   }
 }
@@ -212,14 +211,14 @@ void CurveVertexRemoval::recover_parents() {
   for (std::size_t k = 0; k < fans_.size() && restored_; ++k) {
     Polygon long_edge = merged_;
     if (fans_[k][0] == plan_.from) std::reverse(long_edge.begin(), long_edge.begin() + p + 1);
-    restored_ = recover_merged(*mesh_, vertex_, fans_[k], parents_[k], {long_edge.data(), at(p + 1)});
+    restored_ = recover_merged(*mesh_, vertex_, fans_[k], parents_[k], {long_edge.data(), index(p + 1)});
   }
 }
 
 void CurveVertexRemoval::merge_topology() {
   const EdgePoints old_before = side_of(*mesh_, passage_.before).points;
   const EdgePoints old_after = side_of(*mesh_, passage_.after).points;
-  edge_ = new_edge(plan_.from, plan_.to, {old_before.ids.data() + 1, at(mesh_->degree() - 1)}, mesh_->degree());
+  edge_ = new_edge(plan_.from, plan_.to, {old_before.ids.data() + 1, index(mesh_->degree() - 1)}, mesh_->degree());
   starts_.clear();
   for (const Fan& fan : fans_) starts_.push_back(find_half_edge(*mesh_, vertex_, fan[0]));
   merged_triangles_.clear();
@@ -249,7 +248,7 @@ void CurveVertexRemoval::plan_moves() {
                                       footprint_.shift_of(net[2])};
     const bool is_merged = std::find(merged_triangles_.begin(), merged_triangles_.end(), t) != merged_triangles_.end();
     for (int k = 0; k < mesh_->net_size(); ++k) {
-      const PointId q = net[at(k)];
+      const PointId q = net[index(k)];
       if (k >= mesh_->layout().first_interior() && is_merged) continue;
       refitted_.emplace_back(q, mesh_->face(t));
       if (k < 3 || contains(on_curve_, q) || contains(shifted_, q)) continue;
@@ -269,10 +268,10 @@ void CurveVertexRemoval::move_points() {
   for (std::size_t k = 0; k < footprint_.moved.size(); ++k)
     mesh_->set_point(footprint_.moved[k], mesh_->point(footprint_.moved[k]) + footprint_.shifts[k]);
   mesh_->set_point(plan_.from, merged_[0]);
-  mesh_->set_point(plan_.to, merged_[at(p)]);
+  mesh_->set_point(plan_.to, merged_[index(p)]);
   for (const auto& [q, place] : curve_places_) mesh_->set_point(q, place);
   for (const auto& [q, place] : moves_) mesh_->set_point(q, place);
-  for (int k = 1; k < p; ++k) mesh_->set_point(edge_[k], merged_[at(k)]);
+  for (int k = 1; k < p; ++k) mesh_->set_point(edge_[k], merged_[index(k)]);
 }
 
 bool CurveVertexRemoval::place_inner_points() {
@@ -284,7 +283,7 @@ bool CurveVertexRemoval::place_inner_points() {
   if (restored_) {
     for (std::size_t k = 0; k < fans_.size(); ++k)
       for (int i = mesh_->layout().first_interior(); i < mesh_->net_size(); ++i)
-        mesh_->set_point(mesh_->net(merged_triangles_[k])[at(i)], parents_[k].point(i));
+        mesh_->set_point(mesh_->net(merged_triangles_[k])[index(i)], parents_[k].point(i));
   } else if (!patch_.fit_geometry(*mesh_, merged_triangles_, inner_)) {
     return false;
   }
@@ -300,7 +299,7 @@ bool CurveVertexRemoval::refit_fields() {
     for (std::size_t k = 0; k < fans_.size(); ++k) {
       const TriangleId t = merged_triangles_[k];
       for (int i = 3 + 2 * (p - 1); i < mesh_->net_size(); ++i)  // the long edge's points, then the inner ones
-        mesh_->put_fields(mesh_->net(t)[at(i)], mesh_->face(t), parents_[k].row(i));
+        mesh_->put_fields(mesh_->net(t)[index(i)], mesh_->face(t), parents_[k].row(i));
     }
     return true;
   }
@@ -310,7 +309,7 @@ bool CurveVertexRemoval::refit_fields() {
 }
 
 void CurveVertexRemoval::follow_moves(int field, int component, int column) {
-  const bool by_face = mesh_->fields()[at(field)].by_face;
+  const bool by_face = mesh_->fields()[index(field)].by_face;
   fits_.clear();
   for (std::size_t k = 0; k < refitted_.size(); ++k) {
     const auto& [q, face] = refitted_[k];
@@ -322,7 +321,7 @@ void CurveVertexRemoval::follow_moves(int field, int component, int column) {
     auto fit = std::find_if(fits_.begin(), fits_.end(), [&](const auto& each) { return each.first == of_face; });
     if (fit == fits_.end()) fit = fits_.insert(fits_.end(), {of_face, patch_.linear_of(column, of_face)});
     const Patch::Linear& linear = fit->second;
-    const double old = mesh_->fields()[at(field)].values[static_cast<std::size_t>(first + component)];
+    const double old = mesh_->fields()[index(field)].values[static_cast<std::size_t>(first + component)];
     const double change = patch_.evaluate(linear, mesh_->point(q)) - patch_.evaluate(linear, old_places_[k]);
     mesh_->put_component(field, component, q, face, old + change);
   }

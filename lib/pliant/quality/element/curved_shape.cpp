@@ -6,6 +6,7 @@
 #include <numbers>
 #include <vector>
 
+#include "pliant/geometry/index.h"
 #include "pliant/quality/element/element_forms.h"
 #include "pliant/quality/element/element_quality.h"
 
@@ -15,7 +16,6 @@
 namespace pliant {
 namespace {
 
-constexpr std::size_t at(int n) { return static_cast<std::size_t>(n); }
 constexpr int greatest_depth = 60;
 constexpr int most_pieces = 4096;
 
@@ -34,7 +34,7 @@ const std::vector<int>& row_order(int degree) {
     }
     return orders;
   }();
-  return all[at(degree)];
+  return all[index(degree)];
 }
 
 /// Newest-vertex bisection: with m the middle of the edge 12, `left` is on (3, 1, m), `right` on (2, 3, m), and the
@@ -55,7 +55,7 @@ void bisect(int degree, const double* net, double* left, double* right) {
 class ShapeSearch {
  public:
   explicit ShapeSearch(const ElementForms& forms)
-      : degree_(forms.degree), size_(at(forms.size())), error_(forms.error) {
+      : degree_(forms.degree), size_(index(forms.size())), error_(forms.error) {
     for (std::size_t n = 0; n < size_; ++n)
       greatest_ = std::max({greatest_, std::fabs(forms.jacobian[n]), std::fabs(forms.squares[n])});
   }
@@ -100,7 +100,7 @@ class ShapeSearch {
   }
 
  private:
-  double* piece(std::vector<double>& stack, int n) const { return stack.data() + 2 * size_ * at(n); }
+  double* piece(std::vector<double>& stack, int n) const { return stack.data() + 2 * size_ * index(n); }
   /// A bisection rounds each coefficient at most `degree` times.
   double error_at(int depth) const { return error_ + depth * degree_ * 0x1p-53 * greatest_; }
   bool is_enough(double bound) const {

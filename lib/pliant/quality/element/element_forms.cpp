@@ -9,10 +9,10 @@
 #include <cstdint>
 #include <numeric>
 
+#include "pliant/geometry/index.h"
+
 namespace pliant {
 namespace {
-
-constexpr std::size_t at(int n) { return static_cast<std::size_t>(n); }
 
 /// One product of the sum: the coefficient `target` of a product of polynomials of degree p - 1 gets weight a_i b_j.
 struct Term {
@@ -34,7 +34,7 @@ FormTable build_table(int degree) {
     const auto [i, j, k] = partial.exponents(m);
     table.triangles.push_back({net.index(i + 1, j), net.index(i, j + 1), net.index(i, j)});
   }
-  std::vector<int> count(at(product.size()));
+  std::vector<int> count(index(product.size()));
   for (int m = 0; m < partial.size(); ++m) {
     for (int n = 0; n < partial.size(); ++n) {
       const auto& e = partial.exponents(m);
@@ -43,7 +43,7 @@ FormTable build_table(int degree) {
       const double weight =
           degree * degree * partial.multinomial(m) * partial.multinomial(n) / product.multinomial(target);
       table.terms.push_back({m, n, target, weight});
-      table.most_terms = std::max(table.most_terms, ++count[at(target)]);
+      table.most_terms = std::max(table.most_terms, ++count[index(target)]);
     }
   }
   if (degree < 2) return table;
@@ -62,7 +62,7 @@ const FormTable& table_of(int degree) {
     return tables;
   }();
   assert(1 <= degree && degree <= max_degree);
-  return all[at(degree - 1)];
+  return all[index(degree - 1)];
 }
 
 /// The greatest power of two not above x > 0, but at least 2^-1022, lest its inverse overflow.
@@ -93,13 +93,13 @@ double ElementForms::mean_jacobian() const {
 
 void element_forms(int degree, std::span<const Point> net, ElementForms& forms) {
   const FormTable& table = table_of(degree);
-  const std::size_t partials = at(net_size(degree - 1));
+  const std::size_t partials = index(net_size(degree - 1));
   std::array<Vector, net_size(max_degree - 1)> along_2, along_3;
   double greatest = 0;
   for (std::size_t m = 0; m < partials; ++m) {
     const auto [first, second, third] = table.triangles[m];
-    along_2[m] = net[at(second)] - net[at(first)];
-    along_3[m] = net[at(third)] - net[at(first)];
+    along_2[m] = net[index(second)] - net[index(first)];
+    along_3[m] = net[index(third)] - net[index(first)];
     for (const Vector& v : {along_2[m], along_3[m]}) greatest = std::max({greatest, std::fabs(v.x), std::fabs(v.y)});
   }
   forms.degree = 2 * (degree - 1);
@@ -119,10 +119,10 @@ void element_forms(int degree, std::span<const Point> net, ElementForms& forms) 
   std::fill_n(forms.jacobian.begin(), forms.size(), 0.0);
   std::fill_n(forms.squares.begin(), forms.size(), 0.0);
   for (const Term& term : table.terms) {
-    const Vector &a = along_2[at(term.i)], &b = along_3[at(term.j)];
-    const Vector &c = along_2[at(term.j)], &d = along_3[at(term.i)];
-    forms.jacobian[at(term.target)] += term.weight * cross(a, b);
-    forms.squares[at(term.target)] += term.weight * (dot(a, c - b) + dot(d, b));
+    const Vector &a = along_2[index(term.i)], &b = along_3[index(term.j)];
+    const Vector &c = along_2[index(term.j)], &d = along_3[index(term.i)];
+    forms.jacobian[index(term.target)] += term.weight * cross(a, b);
+    forms.squares[index(term.target)] += term.weight * (dot(a, c - b) + dot(d, b));
   }
 }
 

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <numbers>
 
+#include "pliant/geometry/index.h"
 #include "pliant/geometry/linear_triangle.h"
 #include "pliant/geometry/net_layout.h"
 #include "pliant/mesh/check_mesh.h"
@@ -19,24 +20,19 @@ namespace {
 
 constexpr double degrees = 180 / std::numbers::pi;
 
-template <class I>
-constexpr std::size_t at(I i) {
-  return static_cast<std::size_t>(i);
-}
-
 /// Asks for the control points before they are needed: they lie anywhere in memory.
 void fetch([[maybe_unused]] const MeshData& data, [[maybe_unused]] std::span<const TriangleId> elements) {
 #ifdef __GNUC__
   for (const TriangleId t : elements)
-    for (std::size_t k = 0; k < 6; ++k) __builtin_prefetch(&data.points[at(data.triangles[at(t) * 6 + k])]);
+    for (std::size_t k = 0; k < 6; ++k) __builtin_prefetch(&data.points[index(data.triangles[index(t) * 6 + k])]);
 #endif
 }
 
 void gather(const MeshData& data, std::span<const TriangleId> elements, QuadraticBlock& block) {
   for (std::size_t l = 0; l < elements.size(); ++l) {
-    const PointId* ids = &data.triangles[at(elements[l]) * 6];
+    const PointId* ids = &data.triangles[index(elements[l]) * 6];
     for (std::size_t k = 0; k < 6; ++k) {
-      const Point& p = data.points[at(ids[k])];
+      const Point& p = data.points[index(ids[k])];
       block.x[k][l] = p.x;
       block.y[k][l] = p.y;
     }
@@ -77,18 +73,18 @@ ElementMeasures measure_element(const BoundaryComplex& boundary, int degree, std
   measures.logical_angle = degrees * least_angle(net[0], net[1], net[2]);
   measures.turning_angle = degrees * element_turning(degree, net);
   measures.area = forms.unscaled(forms.mean_jacobian()) / 2;
-  for (int e = 0; e < 3; ++e) measures.edge_length[at(e)] = edge_length(degree, net, e);
+  for (int e = 0; e < 3; ++e) measures.edge_length[index(e)] = edge_length(degree, net, e);
   return measures;
 }
 
 void measure_elements(const MeshData& data, std::span<const TriangleId> elements, double jacobian_width,
                       const std::function<void(std::size_t first, std::span<const ElementMeasures>)>& take) {
-  const auto n = at(net_size(data.degree));
+  const auto n = index(net_size(data.degree));
   std::array<Point, net_size(max_degree)> storage;
   const std::span<Point> net = std::span(storage).first(n);
   const auto measure_alone = [&](TriangleId t) {
-    const PointId* ids = &data.triangles[at(t) * n];
-    for (std::size_t k = 0; k < n; ++k) net[k] = data.points[at(ids[k])];
+    const PointId* ids = &data.triangles[index(t) * n];
+    for (std::size_t k = 0; k < n; ++k) net[k] = data.points[index(ids[k])];
     return measure_element(data.boundary, data.degree, net, jacobian_width);
   };
   constexpr std::size_t size = QuadraticBlock::size;

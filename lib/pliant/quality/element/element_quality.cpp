@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "pliant/geometry/bernstein.h"
+#include "pliant/geometry/index.h"
 #include "pliant/geometry/linear_triangle.h"
 #include "pliant/geometry/spline/turning_angle.h"
 #include "pliant/geometry/validity/bernstein_range.h"
@@ -17,7 +18,6 @@
 namespace pliant {
 namespace {
 
-constexpr std::size_t at(int n) { return static_cast<std::size_t>(n); }
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 double any_turning(int degree, std::span<const Point> net) {
@@ -25,8 +25,8 @@ double any_turning(int degree, std::span<const Point> net) {
   std::array<Point, max_degree + 1> polygon;
   double largest = 0;
   for (int e = 0; e < 3; ++e) {
-    for (int k = 0; k <= degree; ++k) polygon[at(k)] = net[at(layout.edge_index(e, k))];
-    largest = std::max(largest, turning_angle(std::span(polygon).first(at(degree + 1))));
+    for (int k = 0; k <= degree; ++k) polygon[index(k)] = net[index(layout.edge_index(e, k))];
+    largest = std::max(largest, turning_angle(std::span(polygon).first(index(degree + 1))));
   }
   return largest;
 }
@@ -55,7 +55,7 @@ double distortion(const ElementForms& forms) {
   // The integral of (c - 1)^2, c = det J / mean, is that of c^2 less 1/2: so the result is 1 exactly where all is
   // equal.
   std::array<double, max_form_size> excess;
-  const std::size_t size = at(forms.size());
+  const std::size_t size = index(forms.size());
   for (std::size_t n = 0; n < size; ++n) excess[n] = forms.jacobian[n] / mean - 1;
   const std::span<const double> mass = mass_matrix(forms.degree);
   double sum = 0;
@@ -87,22 +87,22 @@ double jacobian_peak(int degree, std::span<const Point> net) {
 
 double shape_at(int degree, std::span<const Point> net, const Barycentric& xi) {
   const int partials = net_size(degree - 1);
-  assert(net.size() >= at(net_size(degree)));
+  assert(net.size() >= index(net_size(degree)));
   std::array<double, net_size(max_degree - 1)> basis;
   bernstein_basis(degree - 1, xi, basis);
   const auto triangles = control_triangles(degree);
   Vector along_2, along_3;
-  for (std::size_t m = 0; m < at(partials); ++m) {
+  for (std::size_t m = 0; m < index(partials); ++m) {
     const auto [first, second, third] = triangles[m];
-    along_2 += basis[m] * (net[at(second)] - net[at(first)]);
-    along_3 += basis[m] * (net[at(third)] - net[at(first)]);
+    along_2 += basis[m] * (net[index(second)] - net[index(first)]);
+    along_3 += basis[m] * (net[index(third)] - net[index(first)]);
   }
   return triangle_shape({0, 0}, along_2, along_3);
 }
 
 FormRange jacobian_range(const ElementForms& forms, double relative_width) {
   if (!forms.is_finite) return {{nan, nan}, {nan, nan}};
-  const auto coefficients = std::span<const double>(forms.jacobian).first(at(forms.size()));
+  const auto coefficients = std::span<const double>(forms.jacobian).first(index(forms.size()));
   double greatest = 0;
   for (const double c : coefficients) greatest = std::max(greatest, std::fabs(c));
   const double width = relative_width * greatest;
@@ -125,7 +125,7 @@ double scaled_jacobian(int degree, std::span<const Point> net) {
 double control_shape(int degree, std::span<const Point> net) {
   double least = 1;
   for (const auto& [a, b, c] : control_triangles(degree))
-    least = std::min(least, triangle_shape(net[at(a)], net[at(b)], net[at(c)]));
+    least = std::min(least, triangle_shape(net[index(a)], net[index(b)], net[index(c)]));
   return least;
 }
 

@@ -1,0 +1,14 @@
+// lib/pliant/geometry/index.h: indices, which are signed, as the standard library's containers take them.
+#pragma once
+#include <concepts>
+#include <cstddef>
+
+namespace pliant {
+
+/// The index as a std::size_t.   Requires    i >= 0
+template <std::integral I>
+constexpr std::size_t index(I i) {
+  return static_cast<std::size_t>(i);
+}
+
+}  // namespace pliant
