@@ -8,6 +8,7 @@
 #include <system_error>
 
 #include "doubts.h"
+#include "formats/document/document_stream.h"
 #include "formats/document/mesh_json.h"
 #include "formats/document/read_json.h"
 #include "formats/msh/msh.h"

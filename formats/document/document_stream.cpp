@@ -1,4 +1,6 @@
 // formats/document/document_stream.cpp: cuts a stream into documents by their braces, with memory for one.
+#include "formats/document/document_stream.h"
+
 #include <sys/mman.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -10,8 +12,6 @@
 #include <new>
 #include <system_error>
 #include <utility>
-
-#include "formats/document/mesh_json.h"
 
 namespace pliant {
 namespace {

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "formats/document/document_stream.h"
 #include "formats/document/mesh_json.h"
 #include "pliant/geometry/net_layout.h"
 

@@ -1,4 +1,6 @@
 // tests/formats/document_stream_test.cpp: a stream falls into documents as people and programs write them.
+#include "formats/document/document_stream.h"
+
 #include <unistd.h>
 
 #include <catch2/catch.hpp>
@@ -7,8 +9,6 @@
 #include <string>
 #include <thread>
 #include <vector>
-
-#include "formats/document/mesh_json.h"
 
 using namespace pliant;
 

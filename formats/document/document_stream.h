@@ -1,0 +1,36 @@
+// formats/document/document_stream.h: the documents of a stream, one at a time.
+#pragma once
+#include <cstddef>
+#include <cstdio>
+#include <memory>
+#include <string>
+#include <string_view>
+
+namespace pliant {
+
+/// The documents of a stream, one at a time with memory for one: JSON Lines, or a single document over many lines.
+class DocumentStream {
+ public:
+  /// Takes over the stream (not closed). `name` is for messages: the file, or "standard input".
+  DocumentStream(std::FILE* stream, std::string name);
+  ~DocumentStream();
+  /// The text of the next document, valid until the next call; false at the end. Blank lines are skipped.
+  /// Throws      std::system_error when reading fails
+  bool next(std::string_view& document);
+  /// All of a stream that starts with these bytes, valid as long as this object; empty, and nothing is passed, if it
+  /// starts with others. Only before the first `next`. A regular file is mapped, not copied.
+  /// Throws      std::system_error when reading fails
+  std::string_view all_if(std::string_view start);
+  /// The first bytes, as many as there are up to `most`, of a stream that does not start with an object; empty, without
+  /// waiting for more, of one that does. Only before the first `next`.
+  std::string_view head_unless_object(std::size_t most);
+  long frame() const;       ///< number of the document last returned, from 0
+  long first_line() const;  ///< line on which it starts, from 1
+  const std::string& name() const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace pliant
