@@ -5,16 +5,12 @@ add_library(pliant INTERFACE)
 add_library(pliant::pliant ALIAS pliant)
 target_link_libraries(pliant INTERFACE pliant_generate pliant_flow pliant_formats)
 
-install(TARGETS pliant pliant_geometry pliant_boundary pliant_mesh pliant_ops pliant_quality pliant_flow pliant_improve
-                pliant_generate pliant_formats
-        EXPORT pliantTargets)
 # The global smoother stays with its tool: who used the package would need Ceres, and its licence.
-install(DIRECTORY ${CMAKE_CURRENT_LIST_DIR}/pliant DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.h"
-        PATTERN "smooth_globally.h" EXCLUDE PATTERN "minimize_deformation.h" EXCLUDE
-        PATTERN "deformation_energy.h" EXCLUDE PATTERN "free_points.h" EXCLUDE PATTERN "wanted_shapes.h" EXCLUDE)
+install(TARGETS pliant pliant_geometry pliant_boundary pliant_mesh pliant_ops pliant_quality pliant_flow pliant_improve
+                pliant_generate
+        EXPORT pliantTargets FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 # In the tree and installed, these are included as "formats/document/mesh_json.h".
-install(DIRECTORY ${PROJECT_SOURCE_DIR}/formats DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/pliant
-        FILES_MATCHING PATTERN "*.h")
+install(TARGETS pliant_formats EXPORT pliantTargets FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/pliant)
 
 include(CMakePackageConfigHelpers)
 set(config_dir ${CMAKE_INSTALL_LIBDIR}/cmake/pliant)

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Reads the #includes of every source and fails when a folder includes one that is above it or beside it on its floor,
-or when another library appears outside the folder that it belongs to."""
+when another library appears outside the folder that it belongs to, or when lib/README.md draws another picture."""
+import collections
 import pathlib
 import re
 import sys
@@ -67,14 +68,48 @@ def faults_of(path, text):
     return faults
 
 
+def sources():
+    """The C++ files of the product."""
+    return [file for folder in ("lib", "formats", "tools") for file in sorted((ROOT / folder).rglob("*"))
+            if file.suffix in (".h", ".cpp")]
+
+
+def arrows():
+    """For each folder, the other folders that its files include; tools include their own rooms without a folder."""
+    found = collections.defaultdict(set)
+    for file in sources():
+        here = folder_of(file.relative_to(ROOT).as_posix())
+        for target in INCLUDE.findall(file.read_text(encoding="utf-8")):
+            there = folder_of(target)
+            if there in FLOOR and there != here:
+                found[here].add(there)
+    return dict(found)
+
+
+def rooms():
+    """The folders that hold code, as lib/README.md names them."""
+    folders = {file.parent.relative_to(ROOT).as_posix() for file in sources()} | {"formats", "formats/report/page"}
+    return {folder.removeprefix("lib/pliant/") for folder in folders}
+
+
 class Layers(unittest.TestCase):
     def test_the_sources_keep_to_their_floors(self):
-        sources = [file for folder in ("lib", "formats", "tools") for file in sorted((ROOT / folder).rglob("*"))
-                   if file.suffix in (".h", ".cpp")]
-        self.assertGreater(len(sources), 30)
-        faults = [fault for file in sources
+        self.assertGreater(len(sources()), 30)
+        faults = [fault for file in sources()
                   for fault in faults_of(file.relative_to(ROOT).as_posix(), file.read_text(encoding="utf-8"))]
         self.assertEqual([], faults, "\n" + "\n".join(faults))
+
+    def test_the_page_of_the_library_draws_the_floors_and_the_arrows_that_there_are(self):
+        page = (ROOT / "lib/README.md").read_text(encoding="utf-8")
+        drawn = [re.split(r" +", line.strip()) for line in re.findall(r"^    ([a-z ]+)$", page, re.MULTILINE)]
+        self.assertEqual([sorted(floor) for floor in reversed(FLOORS)], [sorted(floor) for floor in drawn])
+        told = {here: set(there.split()) for here, there in re.findall(r"^    (\w+) *-> (.+)$", page, re.MULTILINE)}
+        self.assertEqual(arrows(), told)
+
+    def test_the_page_of_the_library_has_a_sentence_for_each_room(self):
+        page = (ROOT / "lib/README.md").read_text(encoding="utf-8")
+        told = re.findall(r"^\| `([^`]+)` \| .*\.( \|)$", page, re.MULTILINE)
+        self.assertEqual(sorted(rooms()), sorted(room for room, _ in told))
 
     def test_an_include_below_or_within_is_allowed(self):
         self.assertEqual([], faults_of("lib/pliant/ops/a.cpp", '#include "pliant/mesh/mesh.h"\n#include <vector>\n'))
