@@ -82,6 +82,9 @@ class BSpline {
   /// Moves one control point (the seam of a closed curve needs nothing special: points are not repeated).
   void set_point(int i, const Point& p, Edits* edits = nullptr);
 
+  /// Adds factor times the vectors of `other` to the control points.   Requires    the same knots
+  void add(const BSpline& other, double factor);
+
   /// Inserts t (once more): shape unchanged. Requires first < t < last or closed; multiplicity < degree after.
   /// Complexity O(degree^2), and what an insertion into a Sequence costs
   void insert_knot(double t, Edits* edits = nullptr);

@@ -82,6 +82,12 @@ void BSpline::set_point(int i, const Point& p, Edits* edits) {
   here = p;
 }
 
+void BSpline::add(const BSpline& other, double factor) {
+  assert(other.points_.size() == points_.size());
+  for (std::size_t i = 0; i < points_.size(); ++i)
+    set_point(static_cast<int>(i), points_[i] + factor * other.points_[i]);
+}
+
 void BSpline::insert_point(int i, Edits* edits) {
   if (edits) edits->push_back({Edit::Kind::insert_point, i, {}});
   points_.insert(static_cast<std::size_t>(i), {});
