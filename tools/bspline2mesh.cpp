@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "criteria_options.h"
-#include "expression.h"
-#include "field_option.h"
-#include "filter.h"
 #include "formats/document/mesh_json.h"
+#include "options/criteria_options.h"
+#include "options/field_option.h"
+#include "options/numbers.h"
+#include "options/triangle_limit.h"
 #include "pliant/boundary/arrangement.h"
 #include "pliant/boundary/check_boundary.h"
 #include "pliant/generate/mesh_from_boundary.h"
@@ -16,7 +16,14 @@
 #include "pliant/improve/smoothing/straighten_edges.h"
 #include "pliant/mesh/check_mesh.h"
 #include "pliant/mesh/document_unit.h"
-#include "progress_line.h"
+#include "run/documents.h"
+#include "run/exit_status.h"
+#include "run/frame_reports.h"
+#include "run/in_unit.h"
+#include "run/output_file.h"
+#include "run/progress_line.h"
+#include "run/run_tool.h"
+#include "run/stopwatch.h"
 
 namespace {
 
@@ -56,12 +63,12 @@ void require_boundary(const BoundaryComplex& boundary) {
 
 /// Refines to the criteria of the options and of the document; writes them into it.
 void refine_to(Mesh& mesh, const CriteriaOptions& criteria, const ToolOptions& tool, long max_triangles,
-               PassReport& report) {
+               ProgressLine& line, PassReport& report) {
   RefineOptions options;
   options.max_triangles = max_triangles;
-  options.goals = criteria.goals(mesh, compile_size);
-  warn_of_thin_gaps(tool, mesh, options.goals);
-  options.progress = start_refinement(mesh, options.goals);
+  options.goals = criteria.goals(mesh);
+  warn_of_thin_gaps(mesh, options.goals, [&](const std::string& text) { say(tool, text); });
+  options.progress = line.counters();
   if (!mesh.criteria.min_angle) mesh.criteria.min_angle = options.goals.min_angle;
   options.refit.straight_below = 0.05;  // inner edges become straight in the end
   PassReport refined = refine(mesh, options);
@@ -69,7 +76,7 @@ void refine_to(Mesh& mesh, const CriteriaOptions& criteria, const ToolOptions& t
   report.refusals.insert(report.refusals.end(), refined.refusals.begin(), refined.refusals.end());
   report.refused_at.insert(report.refused_at.end(), refined.refused_at.begin(), refined.refused_at.end());
   report.notes.insert(report.notes.end(), refined.notes.begin(), refined.notes.end());
-  if (ProgressLine* line = ProgressLine::shown()) line->stage("straighten");
+  line.stage("straighten");
   const StraightenCounts edges = straighten_edges(mesh);
   report.add("edges_straightened", static_cast<double>(edges.straightened));
   report.add("edges_left_curved", static_cast<double>(edges.left));
@@ -131,7 +138,7 @@ class Meshing {
     if (options_.no_refine)
       options_.criteria.apply(mesh.criteria, mesh.boundary());
     else
-      refine_to(mesh, options_.criteria, options_.tool, options_.max_triangles, report);
+      refine_to(mesh, options_.criteria, options_.tool, options_.max_triangles, line_, report);
     seconds_.emplace_back("refine", watch_.lap());
     line_.stage("write");
     options_.fields.apply(mesh);
@@ -144,6 +151,7 @@ class Meshing {
     output_.write(text_);
     seconds_.emplace_back("write", watch_.lap());
     reports_.add(frame, mesh.time, report, seconds_);
+    line_.frames_done(frame.index + 1);
   }
 
  private:

@@ -2,9 +2,13 @@
 #include <CLI/CLI.hpp>
 #include <stdexcept>
 
-#include "filter.h"
 #include "formats/picture/gltf.h"
-#include "picture_options.h"
+#include "options/picture_options.h"
+#include "run/documents.h"
+#include "run/exit_status.h"
+#include "run/output_file.h"
+#include "run/require_mesh.h"
+#include "run/run_tool.h"
 
 int main(int argc, char** argv) {
   using namespace pliant;

@@ -2,9 +2,11 @@
 #include <CLI/CLI.hpp>
 #include <string>
 
-#include "filter.h"
 #include "formats/msh/msh_writer.h"
-#include "frame_option.h"
+#include "options/frame_option.h"
+#include "run/exit_status.h"
+#include "run/output_file.h"
+#include "run/run_tool.h"
 
 namespace {
 

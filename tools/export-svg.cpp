@@ -3,11 +3,13 @@
 #include <optional>
 #include <stdexcept>
 
-#include "criteria_options.h"
-#include "filter.h"
 #include "formats/picture/svg.h"
-#include "frame_option.h"
-#include "picture_options.h"
+#include "options/frame_option.h"
+#include "options/numbers.h"
+#include "options/picture_options.h"
+#include "run/exit_status.h"
+#include "run/output_file.h"
+#include "run/run_tool.h"
 
 int main(int argc, char** argv) {
   using namespace pliant;

@@ -1,13 +1,19 @@
 // tools/import-msh.cpp: reads a file of Gmsh's as a mesh.
 #include <CLI/CLI.hpp>
 
-#include "criteria_options.h"
-#include "field_option.h"
-#include "filter.h"
 #include "formats/document/mesh_json.h"
 #include "formats/msh/msh.h"
+#include "options/field_option.h"
+#include "options/numbers.h"
 #include "pliant/mesh/check_mesh.h"
 #include "pliant/mesh/document_unit.h"
+#include "run/documents.h"
+#include "run/exit_status.h"
+#include "run/frame_reports.h"
+#include "run/in_unit.h"
+#include "run/output_file.h"
+#include "run/run_tool.h"
+#include "run/stopwatch.h"
 
 namespace {
 

@@ -5,11 +5,16 @@
 #include <memory>
 #include <system_error>
 
-#include "criteria_options.h"
-#include "filter.h"
 #include "formats/document/mesh_json.h"
 #include "formats/document/recognize.h"
 #include "formats/svg_import/svg_reader.h"
+#include "options/numbers.h"
+#include "run/documents.h"
+#include "run/exit_status.h"
+#include "run/frame_reports.h"
+#include "run/output_file.h"
+#include "run/run_tool.h"
+#include "run/stopwatch.h"
 
 namespace {
 

@@ -5,7 +5,6 @@
 #include <limits>
 #include <stdexcept>
 
-#include "filter.h"
 #include "formats/report/report_csv.h"
 #include "formats/report/report_html.h"
 #include "formats/report/report_json.h"
@@ -14,6 +13,12 @@
 #include "pliant/mesh/document_unit.h"
 #include "pliant/quality/element/condition.h"
 #include "pliant/quality/quality_report.h"
+#include "run/documents.h"
+#include "run/exit_status.h"
+#include "run/in_unit.h"
+#include "run/output_file.h"
+#include "run/run_tool.h"
+#include "run/stopwatch.h"
 
 namespace {
 

@@ -13,6 +13,7 @@
 #include "pliant/boundary/boundary_spans.h"
 #include "pliant/geometry/linear_triangle.h"
 #include "pliant/improve/legalize.h"
+#include "pliant/improve/refining/expected_insertions.h"
 #include "pliant/improve/refining/insertion_search.h"
 #include "pliant/improve/refining/refine_attack.h"
 #include "pliant/improve/refining/sharp_corners.h"
@@ -320,6 +321,8 @@ PassReport report_of(const Mesh& mesh, const std::vector<TriangleId>& left, cons
 }  // namespace
 
 PassReport refine(Mesh& mesh, const RefineOptions& options) {
+  if (options.progress != nullptr)
+    options.progress->start("refine", "points", expected_insertions(mesh, options.goals));
   require_within_budget(mesh, options.goals, options.max_triangles);
   Tally tally;
   std::vector<TriangleId> left;

@@ -75,6 +75,13 @@ void require_exact(const BoundaryComplex& boundary, double factor, double size, 
 
 void require_document_size(const MeshData& data) { factor_for(extent_of(data)); }
 
+bool has_tame_size(const Mesh& mesh) {
+  Box box = bounding_box(mesh.boundary());
+  for (PointId p = 0; p < mesh.point_slots(); ++p)
+    if (mesh.is_point_alive(p)) box.extend(mesh.point(p));
+  return factor_for(extent(box)) == 1;
+}
+
 void normalize_unit(MeshData& data) {
   const double size = extent_of(data), factor = factor_for(size);
   if (factor == 1) return;

@@ -1,6 +1,6 @@
 // lib/pliant/mesh/document_unit.h: the power of two that brings documents of any size to one near 1.
 #pragma once
-#include "pliant/mesh/mesh_data.h"
+#include "pliant/mesh/mesh.h"
 #include "pliant/mesh/pass_report.h"
 
 namespace pliant {
@@ -20,6 +20,9 @@ inline constexpr double least_document_size = 0x1p-510, greatest_document_size =
 ///             digits
 void normalize_unit(MeshData& data);
 void normalize_unit(BoundaryComplex& boundary);
+
+/// True where normalize_unit would leave the document of this mesh as it is.
+bool has_tame_size(const Mesh& mesh);
 
 /// Throws as normalize_unit does for a size out of range.
 void require_document_size(const MeshData& data);

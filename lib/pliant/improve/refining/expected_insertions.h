@@ -1,0 +1,11 @@
+// lib/pliant/improve/refining/expected_insertions.h: roughly how many points a refinement will insert.
+#pragma once
+#include "pliant/improve/sizing.h"
+
+namespace pliant {
+
+/// How many points the bounds on size ask for, roughly, for a display of progress; 0 where they are few, or only shapes
+/// matter.   Complexity O(mesh), at least 100,000 evaluations of a size
+double expected_insertions(const Mesh& mesh, const QualityGoals& goals);
+
+}  // namespace pliant

@@ -1,0 +1,121 @@
+// tools/options/expression.cpp: formulas in x, y and t, as muParser evaluates them.
+#include "options/expression.h"
+
+#include <muParser.h>
+
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+namespace pliant {
+namespace {
+
+double modulo(double a, double b) { return a - b * std::floor(a / b); }
+double power(double a, double b) { return std::pow(a, b); }
+double hypotenuse(double a, double b) { return std::hypot(a, b); }
+double round_down(double a) { return std::floor(a); }
+double round_up(double a) { return std::ceil(a); }
+
+void define_names(mu::Parser& parser) {
+  parser.DefineConst("pi", std::numbers::pi);
+  parser.DefineFun("pow", power);
+  parser.DefineFun("mod", modulo);
+  parser.DefineFun("hypot", hypotenuse);
+  parser.DefineFun("floor", round_down);
+  parser.DefineFun("ceil", round_up);
+}
+
+/// The parser's message without its own mention of the place.
+std::string without_position(const std::string& message) {
+  for (const char* tail : {" found at position", " at position", " at expression position", " (position:"})
+    if (const std::size_t end = message.find(tail); end != std::string::npos) return message.substr(0, end);
+  return message;
+}
+
+[[noreturn]] void refuse(const std::string& text, const std::string& why, int position) {
+  std::string message = "\"" + text + "\": " + why;
+  if (position >= static_cast<int>(text.size()))
+    message += " (at the end)";
+  else if (position >= 0)
+    message += " (at character " + std::to_string(position + 1) + ")";
+  throw std::invalid_argument(message);
+}
+
+/// Evaluates once with the variables as constants: so the parser itself refuses an assignment such as "x = 3", which
+/// would otherwise change x behind our back.
+void check(const std::string& text) {
+  if (text.find_first_not_of(" \t\r\n") == std::string::npos) refuse(text, "the expression is empty", -1);
+  mu::Parser parser;
+  define_names(parser);
+  for (const char* name : {"x", "y", "t"}) parser.DefineConst(name, 0.5);
+  int values = 0;
+  try {
+    parser.SetExpr(text);
+    parser.Eval(values);
+  } catch (const mu::Parser::exception_type& error) {
+    const std::string token = error.GetToken();
+    if (error.GetCode() == mu::ecUNEXPECTED_OPERATOR && token == "=")
+      refuse(text, "\"=\" would assign; to compare write \"==\"", error.GetPos());
+    std::string why = without_position(error.GetMsg());
+    if (error.GetCode() == mu::ecUNASSIGNABLE_TOKEN)
+      why = "\"" + token + "\" is no name that is known here (variables are x, y and t)";
+    refuse(text, why, error.GetPos());
+  }
+  if (values != 1) refuse(text, "one value is wanted, here are " + std::to_string(values), -1);
+}
+
+}  // namespace
+
+struct Expression::State {
+  std::string text;
+  mu::Parser parser;
+  double x = 0, y = 0, t = 0;  // bound to the parser by address
+
+  explicit State(const std::string& formula) : text(formula) {
+    define_names(parser);
+    parser.DefineVar("x", &x);
+    parser.DefineVar("y", &y);
+    parser.DefineVar("t", &t);
+    parser.SetExpr(text);
+  }
+};
+
+Expression::Expression(const std::string& text) {
+  check(text);
+  state_ = std::make_unique<State>(text);
+}
+Expression::Expression(const Expression& other) : state_(std::make_unique<State>(other.text())) {}
+Expression::Expression(Expression&&) noexcept = default;
+Expression& Expression::operator=(const Expression& other) {
+  if (this != &other) state_ = std::make_unique<State>(other.text());
+  return *this;
+}
+Expression& Expression::operator=(Expression&&) noexcept = default;
+Expression::~Expression() = default;
+
+double Expression::operator()(double x, double y, double t) const {
+  state_->x = x;
+  state_->y = y;
+  state_->t = t;
+  return state_->parser.Eval();
+}
+
+const std::string& Expression::text() const { return state_->text; }
+
+bool Expression::uses(const std::string& variable) const { return state_->parser.GetUsedVar().contains(variable); }
+
+std::vector<std::string> split_expressions(const std::string& text) {
+  std::vector<std::string> parts(1);
+  int depth = 0;
+  for (const char c : text) {
+    if (c == '(') ++depth;
+    if (c == ')') --depth;
+    if (c == ',' && depth == 0)
+      parts.emplace_back();
+    else
+      parts.back() += c;
+  }
+  return parts;
+}
+
+}  // namespace pliant

@@ -1,0 +1,40 @@
+// tools/options/numbers.cpp: numbers from the texts of options.
+#include "options/numbers.h"
+
+#include <charconv>
+#include <cmath>
+
+#include "run/exit_status.h"
+
+namespace pliant {
+
+double parse_number(const std::string& option, const std::string& text) {
+  double value = 0;
+  const char* first = text.c_str();
+  const char* last = first + text.size();
+  if (text.size() > 1 && text[0] == '+' && text[1] != '-') ++first;
+  const auto [end, error] = std::from_chars(first, last, value);
+  if (end != last || error != std::errc() || !std::isfinite(value))
+    throw UsageError(option + ": '" + text + "' is not a finite number");
+  return value;
+}
+
+double parse_positive(const std::string& option, const std::string& text) {
+  const double value = parse_number(option, text);
+  if (!(value > 0)) throw UsageError(option + ": '" + text + "' should be above zero");
+  return value;
+}
+
+double parse_not_negative(const std::string& option, const std::string& text) {
+  const double value = parse_number(option, text);
+  if (!(value >= 0)) throw UsageError(option + ": '" + text + "' should not be below zero");
+  return value;
+}
+
+std::pair<std::string, double> parse_named_number(const std::string& option, const std::string& text) {
+  const std::size_t equals = text.rfind('=');
+  if (equals == std::string::npos || equals == 0) throw UsageError(option + ": '" + text + "' should be NAME=NUMBER");
+  return {text.substr(0, equals), parse_positive(option, text.substr(equals + 1))};
+}
+
+}  // namespace pliant

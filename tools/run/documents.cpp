@@ -1,0 +1,164 @@
+// tools/run/documents.cpp: reads the documents of the input, and adds their places to what is wrong with them.
+#include "run/documents.h"
+
+#include <cerrno>
+#include <cstdio>
+#include <memory>
+#include <new>
+#include <system_error>
+
+#include "formats/document/document_stream.h"
+#include "formats/document/mesh_json.h"
+#include "formats/document/read_json.h"
+#include "formats/msh/msh.h"
+#include "pliant/mesh/document_unit.h"
+#include "run/doubts.h"
+#include "run/exit_status.h"
+
+namespace pliant {
+namespace {
+
+std::string in_frame(const Frame& frame, const std::string& text) {
+  return frame.source + ": frame " + std::to_string(frame.index) + ": " + text;
+}
+
+/// Runs `work` on one document and adds the document's place to what it throws.
+void with_place(const Frame& frame, std::string_view document, const std::function<void()>& work) {
+  try {
+    work();
+  } catch (const DocumentError& e) {
+    throw Placed(status::bad_input, where(frame, frame.line + e.line() - 1) + at_pointer(e.pointer(), e.what()));
+  } catch (const BadMesh& e) {
+    std::string text;
+    for (const Fault& fault : e.faults())
+      text += (text.empty() ? "" : "\n") + describe_fault(frame, document, fault.place, fault.text);
+    throw Placed(status::bad_input, text);
+  } catch (const InputError& e) {
+    throw Placed(status::bad_input, describe_fault(frame, document, e.pointer(), e.what()));
+  } catch (const Placed&) {
+    throw;
+  } catch (const UsageError&) {
+    throw;
+  } catch (const std::system_error&) {
+    throw;
+  } catch (const NoResult& e) {
+    throw Placed(status::no_result, in_frame(frame, e.what()));
+  } catch (const std::domain_error& e) {
+    throw Placed(status::no_result, in_frame(frame, e.what()));
+  } catch (const std::bad_alloc&) {
+    throw Placed(status::no_result, in_frame(frame, std::string(out_of_memory)));
+  } catch (const std::length_error&) {  // of a container that would be larger than the address space
+    throw Placed(status::no_result, in_frame(frame, std::string(out_of_memory)));
+  } catch (const std::exception& e) {
+    throw Placed(status::internal_error, in_frame(frame, describe_internal_error(e.what())));
+  }
+}
+
+struct Closer {
+  void operator()(std::FILE* file) const { std::fclose(file); }
+};
+
+/// Says which triangles are which elements, in a few lines or not at all.
+void say_numbers(const ToolOptions& options, const Frame& frame, const TagRuns& elements) {
+  const std::vector<TagRuns::Run>& runs = elements.runs();
+  constexpr std::size_t most = 20;
+  for (std::size_t k = 0; k < runs.size() && runs.size() <= most; ++k) {
+    const std::size_t end = k + 1 < runs.size() ? runs[k + 1].first : elements.size();
+    say(options, frame.source + ": triangles " + std::to_string(runs[k].first) + " to " + std::to_string(end - 1) +
+                     " are elements " + std::to_string(runs[k].tag) + " to " +
+                     std::to_string(runs[k].tag + (end - 1 - runs[k].first)));
+  }
+}
+
+void use_msh(const ToolOptions& options, const MshOptions& msh, std::string_view bytes, const Frame& frame,
+             const std::function<void(MshImport&&, const Frame&)>& use) {
+  try {
+    MshImport import = read_msh(bytes, msh);
+    for (const std::string& text : import.warnings) say(options, frame.source + ": " + text);
+    if (options.verbose) say_numbers(options, frame, import.elements);
+    use(std::move(import), frame);
+  } catch (const InputError& e) {
+    throw Placed(status::bad_input, frame.source + ": " + at_pointer(e.pointer(), e.what()));
+  } catch (const NoResult& e) {
+    throw Placed(status::no_result, frame.source + ": " + e.what());
+  }
+}
+
+}  // namespace
+
+std::string describe_internal_error(const std::string& text) {
+  return "internal error: " + text + "; please report it, with the command and its input";
+}
+
+void for_each_document(const ToolOptions& options, FileKind kind,
+                       const std::function<void(std::string_view text, const Frame&)>& use,
+                       const std::function<void(std::string_view bytes, const Frame&)>& use_msh_file) {
+  std::unique_ptr<std::FILE, Closer> file;
+  Frame frame;
+  frame.source = "standard input";
+  if (options.input != "-") {
+    frame.source = options.input;
+    file.reset(std::fopen(options.input.c_str(), "rb"));
+    if (file == nullptr) throw std::system_error(errno, std::generic_category(), options.input);
+  }
+  DocumentStream stream(file == nullptr ? stdin : file.get(), frame.source);
+  if (use_msh_file) {
+    const std::string_view bytes = stream.all_if("$");
+    if (!bytes.empty()) return use_msh_file(bytes, frame);
+  }
+  const std::string head(stream.head_unless_object(recognized_by));
+  std::string_view document;
+  while (stream.next(document)) {
+    frame.index = stream.frame();
+    frame.line = stream.first_line();
+    try {
+      with_place(frame, document, [&] { use(document, frame); });
+    } catch (const Placed& e) {
+      const std::string other = e.status() == status::bad_input && frame.index == 0
+                                    ? describe_other_kind(head.empty() ? document : head, kind)
+                                    : "";
+      if (other.empty()) throw;
+      throw Placed(status::bad_input, frame.source + ": " + other);
+    }
+  }
+  if (stream.frame() < 0)
+    throw Placed(status::bad_input,
+                 frame.source + ":1: the input is empty" + (options.input == "-" ? "" : "; expected a document"));
+}
+
+void for_each_mesh(const ToolOptions& options, const std::function<void(MeshData&&, const Frame&)>& use) {
+  Doubts doubts(options);
+  const auto use_document = [&](std::string_view text, const Frame& frame) {
+    MeshData data = read_mesh(text, doubts.found());
+    doubts.say_new(text, frame);
+    require_document_size(data);
+    use(std::move(data), frame);
+  };
+  if (!options.takes_msh) return for_each_document(options, FileKind::mesh, use_document);
+  for_each_document(options, FileKind::mesh, use_document, [&](std::string_view bytes, const Frame& frame) {
+    use_msh(options, {}, bytes, frame, [&](MshImport&& import, const Frame&) {
+      require_document_size(import.mesh);
+      if (options.verbose)
+        for (const std::string& text : import.notes) say(options, frame.source + ": " + text);
+      use(std::move(import.mesh), frame);
+    });
+  });
+}
+
+void for_msh(const ToolOptions& options, const MshOptions& msh,
+             const std::function<void(MshImport&&, const Frame&)>& use) {
+  // What is no MSH file goes to its reader all the same, which says so.
+  const auto refuse = [&](std::string_view text, const Frame& frame) { use_msh(options, msh, text, frame, use); };
+  for_each_document(options, FileKind::msh, refuse, refuse);
+}
+
+void for_each_boundary(const ToolOptions& options, const std::function<void(BoundaryComplex&&, const Frame&)>& use) {
+  Doubts doubts(options);
+  for_each_document(options, FileKind::boundary, [&](std::string_view text, const Frame& frame) {
+    BoundaryComplex boundary = read_boundary(text, doubts.found());
+    doubts.say_new(text, frame);
+    use(std::move(boundary), frame);
+  });
+}
+
+}  // namespace pliant

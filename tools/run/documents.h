@@ -1,0 +1,53 @@
+// tools/run/documents.h: the documents of the input, one after the other, and faults with their places.
+#pragma once
+#include <functional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+#include "formats/document/recognize.h"
+#include "pliant/boundary/boundary_complex.h"
+#include "pliant/mesh/mesh_data.h"
+#include "run/frame.h"
+#include "run/tool_options.h"
+
+namespace pliant {
+struct MshImport;
+struct MshOptions;
+
+/// What ends a tool, with an exit status, and the place of its document already in the text.
+class Placed : public std::runtime_error {
+ public:
+  Placed(int status, const std::string& text) : std::runtime_error(text), status_(status) {}
+  int status() const { return status_; }
+
+ private:
+  int status_;
+};
+
+inline constexpr std::string_view out_of_memory =
+    "this needs more memory than there is; ask for fewer or larger elements (refine and bspline2mesh: --max-triangles)";
+
+/// The words for an exception that nobody expects, which is a fault of the program (status 6).
+std::string describe_internal_error(const std::string& text);
+
+/// Calls `use` with the text of every document of the input. What it throws comes out as a Placed, but for UsageError
+/// and std::system_error. A file that begins as MSH files do goes to `use_msh_file`, if there is one, as a whole.
+void for_each_document(const ToolOptions& options, FileKind kind,
+                       const std::function<void(std::string_view text, const Frame&)>& use,
+                       const std::function<void(std::string_view bytes, const Frame&)>& use_msh_file = {});
+
+/// Calls `use` with every mesh of the input, one at a time. What `use` throws gets the place of the document: an
+/// InputError comes out with "FILE:LINE: frame N: /pointer: TEXT (column N)", a NoResult with "FILE: frame N: ". With
+/// `takes_msh` an MSH file, known by its first bytes, is one frame; what it lacks is said on standard error.
+/// Throws      InputError also for an empty input; std::system_error where the input cannot be read
+void for_each_mesh(const ToolOptions& options, const std::function<void(MeshData&&, const Frame&)>& use);
+/// The same with boundary documents.
+void for_each_boundary(const ToolOptions& options, const std::function<void(BoundaryComplex&&, const Frame&)>& use);
+
+/// Calls `use` with the MSH file that the input is; what was left out of it is said on standard error. Errors as above,
+/// without a frame.
+void for_msh(const ToolOptions& options, const MshOptions& msh,
+             const std::function<void(MshImport&&, const Frame&)>& use);
+
+}  // namespace pliant

@@ -1,0 +1,28 @@
+// tools/run/output_file.h: a result that appears whole or not at all.
+#pragma once
+#include <memory>
+#include <string>
+#include <string_view>
+
+namespace pliant {
+
+/// The result of a tool: standard output, or a file that appears whole (`commit`) or not at all. An existing file that
+/// is not a regular one (a device, a FIFO) is written in place.
+class OutputFile {
+ public:
+  /// Opens a temporary file beside the target.   Throws std::system_error
+  explicit OutputFile(const std::string& path);
+  ~OutputFile();  ///< removes the temporary file unless committed
+  OutputFile(const OutputFile&) = delete;
+  OutputFile& operator=(const OutputFile&) = delete;
+  /// Writes all of it, at once: it has left the process on return.
+  void write(std::string_view bytes);
+  /// Closes the file and gives it its name; nothing may be written after.
+  void commit();
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace pliant

@@ -1,0 +1,104 @@
+// tools/run/run_filter.cpp: checks each mesh of a series, runs the stage, writes mesh and report.
+#include "run/run_filter.h"
+
+#include <CLI/CLI.hpp>
+#include <optional>
+
+#include "formats/document/mesh_json.h"
+#include "options/criteria_options.h"
+#include "pliant/mesh/document_unit.h"
+#include "run/documents.h"
+#include "run/doubts.h"
+#include "run/exit_status.h"
+#include "run/frame_reports.h"
+#include "run/in_unit.h"
+#include "run/output_file.h"
+#include "run/progress_line.h"
+#include "run/require_mesh.h"
+#include "run/run_tool.h"
+#include "run/stopwatch.h"
+#include "stages/run_stage.h"
+
+namespace pliant {
+namespace {
+
+/// By the document's criteria; a size that is no expression is for those to blame who ask for it.
+MissedGoals count_missed(const Mesh& mesh) {
+  SizeFunction size;
+  try {
+    if (mesh.criteria.size) size = compile_size(*mesh.criteria.size);
+    return pliant::count_missed(mesh, goals_of(mesh, size));
+  } catch (const std::exception&) {
+    return pliant::count_missed(mesh, {});
+  }
+}
+
+}  // namespace
+
+int run_filter(Stage& stage, int argc, char** argv) {
+  CLI::App app{stage.description(), stage.name()};
+  stage.add_options(app);
+  ToolOptions options;
+  add_common_options(app, options);
+  return run_tool(app, argc, argv, options, [&] {
+    stage.check(app);
+    OutputFile output(options.output);
+    FrameReports reports(options);
+    ProgressLine line(options);
+    Stopwatch watch;
+    std::string text;
+    Doubts doubts(options);
+    const StageContext context{[&options](const std::string& warning) { say(options, warning); }, line.counters(),
+                               reports.is_wanted()};
+    for_each_document(options, FileKind::mesh, [&](std::string_view document, const Frame& frame) {
+      watch.lap();
+      line.stage("read");
+      MeshData data = read_mesh(document, doubts.found());
+      doubts.say_new(document, frame);
+      normalize_unit(data);
+      const double unit = data.boundary.unit;
+      std::vector<std::pair<std::string, double>> seconds{{"read", watch.lap()}};
+      line.stage("check");
+      in_unit(unit, [&] { require_mesh(data, stage.accepts_tangled()); });
+      double checking = watch.lap(), measuring = 0;
+      std::optional<QualityChange> quality;
+      if (reports.is_wanted()) {
+        quality.emplace().before = summarize_quality(data);
+        measuring = watch.lap();
+      }
+      Mesh mesh(std::move(data));
+      seconds.emplace_back("check", checking + watch.lap());
+      if (quality) {
+        quality->missed_before = count_missed(mesh);
+        measuring += watch.lap();
+      }
+      line.stage("work");
+      const PassReport report = run_stage(stage, mesh, context);
+      seconds.emplace_back("pass", watch.lap());
+      line.stage("write");
+      text.clear();
+      data = mesh.to_data();
+      const double unpacking = watch.lap();
+      if (quality) {  // before the mesh may have its extreme size again
+        line.stage("measure");
+        quality->after = summarize_quality(data);
+        quality->missed_after = count_missed(mesh);
+        for (QualitySummary* summary : {&quality->before, &quality->after})
+          for (ComponentSize& size : summary->fields) size.l2 *= unit;  // the root of an integral over the area
+        measuring += watch.lap();
+        line.stage("write");
+      }
+      restore_unit(data);
+      write_mesh(data, text);
+      output.write(text);
+      seconds.emplace_back("write", unpacking + watch.lap());
+      if (quality) seconds.emplace_back("quality", measuring);
+      reports.add(frame, mesh.time, report, seconds, quality ? &*quality : nullptr);
+      line.frames_done(frame.index + 1);
+    });
+    output.commit();
+    return status::done;
+  });
+}
+
+}  // namespace pliant

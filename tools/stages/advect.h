@@ -1,0 +1,34 @@
+// tools/stages/advect.h: the stage that carries meshes along in a flow by one step.
+#pragma once
+#include <optional>
+#include <string>
+
+#include "options/field_option.h"
+#include "options/velocity_option.h"
+#include "pliant/flow/advect.h"
+#include "stages/stage.h"
+
+namespace pliant {
+
+class AdvectStage : public Stage {
+ public:
+  const char* name() const override { return "advect"; }
+  const char* description() const override {
+    return "Carry a mesh along in a flow by one step, certified: no element is inverted on the way.";
+  }
+  bool advances_time() const override { return true; }
+  bool may_leave_tangled() const override { return options_.policy == StepPolicy::force; }
+  void add_options(CLI::App& app) override;
+  void check(const CLI::App& app) override;
+  PassReport run(Mesh& mesh, const StageContext& context) const override;
+
+ private:
+  VelocityOption flow_;
+  FieldOption fields_;
+  AdvectOptions options_;
+  std::optional<double> until_;
+  std::string dt_text_, until_text_;
+  bool limit_ = false, force_ = false;
+};
+
+}  // namespace pliant
