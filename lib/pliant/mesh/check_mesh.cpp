@@ -1,4 +1,4 @@
-// lib/pliant/mesh/check_mesh.cpp: M3 by certificate, and the live mesh's derived data against its nets.
+// lib/pliant/mesh/check_mesh.cpp: checks M3 by certificates, and the adjacency of a live mesh against its nets.
 #include "pliant/mesh/check_mesh.h"
 
 #include <array>
@@ -9,7 +9,7 @@
 namespace pliant {
 namespace {
 
-/// Which corner (if any) of an element lies at a cusp of the boundary.
+/// The corner of an element that lies at a cusp of the boundary, or none.
 int cusp_corner(const BoundaryComplex& boundary, std::span<const Point> net) {
   for (const int v : boundary.cusps)
     for (int c = 0; c < 3; ++c)

@@ -1,4 +1,4 @@
-// lib/pliant/mesh/check_mesh.h: every breach of M1, M2, M4, M5, M6, by name; M3 apart.
+// lib/pliant/mesh/check_mesh.h: lists every breach of the invariants M1, M2, M4, M5, M6, and apart from them of M3.
 #pragma once
 #include <span>
 #include <vector>
@@ -10,16 +10,20 @@
 
 namespace pliant {
 
-/// Sizes of arrays, ranges of indices, finite numbers, degrees: what must hold before anything else can be asked.
+/// Faults in the sizes of arrays, ranges of indices and degrees, and numbers that are not finite. Every other question
+/// about a document requires that there are none.
 std::vector<Fault> check_arrays(const MeshData& data);
 
-/// The structural invariants M1, M2, M4, M5, M6 of a document whose arrays are well-formed. At most `limit` faults of
-/// one kind are listed.   Complexity O(data)
+/// Faults of the boundary complex, then breaches of the structural invariants M1, M2, M4, M5, M6 (formats/mesh.md), at
+/// most `limit` of each invariant.
+///
+/// Requires    check_arrays(data) to be empty
+/// Complexity  O(data), plus sorting
 std::vector<Fault> check_structure(const MeshData& data, int limit = 20);
-/// The same with the half-edges of the document known.
+/// The same, for a caller that has the half-edges of the document already.
 std::vector<Fault> check_structure(const MeshData& data, const HalfEdges& half_edges, int limit = 20);
 
-/// The certificate of one element of a mesh with this boundary: at a cusp's corner det J = 0 is forgiven (M3).
+/// The certificate of one element of a mesh with this boundary (M3). At a cusp of the boundary det J may be 0.
 Validity certify_element(const BoundaryComplex& boundary, int degree, std::span<const Point> net);
 Validity certify_element(const Mesh& mesh, TriangleId t);
 
@@ -32,8 +36,8 @@ struct InvalidElements {
 InvalidElements find_invalid(const Mesh& mesh);
 InvalidElements find_invalid(const MeshData& data);
 
-/// For tests: derived adjacency of a live mesh (twins, constraints, vertex half-edges, free slots) agrees with its
-/// nets; then check_structure of its document.
+/// For tests: faults where the adjacency of a live mesh (twins, constraints, vertex half-edges, free slots) does not
+/// agree with its nets; if it agrees, check_structure of its document.
 std::vector<Fault> check_mesh(const Mesh& mesh);
 
 }  // namespace pliant

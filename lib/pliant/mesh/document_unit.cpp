@@ -1,4 +1,4 @@
-// lib/pliant/mesh/document_unit.cpp: the power of two that brings documents of any size to one near 1.
+// lib/pliant/mesh/document_unit.cpp: the power of two by which a document is scaled, and scaling that loses no digit.
 #include "pliant/mesh/document_unit.h"
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 namespace pliant {
 namespace {
 
-constexpr int tame_exponent = 60;  // of sizes 2^-60 to 2^60 no product in use leaves the doubles
+constexpr int tame_exponent = 60;  // documents of size 2^-60 to 2^60 stay: no product in use leaves the doubles there
 
 /// The larger of width and height: unlike the diagonal it does not round, so a power of two changes it exactly.
 double extent(const Box& box) {
@@ -25,7 +25,7 @@ double extent_of(const MeshData& data) {
   return extent(box);
 }
 
-/// By which lengths of a document of this size are multiplied.
+/// The power of two by which the lengths of a document of this size are multiplied.
 double factor_for(double size) {
   if (size == 0) return 1;
   if (!(size >= least_document_size && size <= greatest_document_size))
@@ -49,7 +49,7 @@ void scale(BoundaryComplex& boundary, double factor) {
   boundary.unit /= factor;
 }
 
-/// Throws where a coordinate would not come back.
+/// Throws if scaling a coordinate and scaling it back would not give the same number.
 void require_exact(const Point& p, double factor, double size, const std::string& array, std::size_t index) {
   const auto is_exact = [factor](double x) { return x * factor / factor == x; };
   if (is_exact(p.x) && is_exact(p.y)) return;

@@ -1,4 +1,4 @@
-// lib/pliant/mesh/half_edges.cpp: a fast way for sound meshes, and one for all others.
+// lib/pliant/mesh/half_edges.cpp: twins found by inner control points in sound meshes, by vertices in all others.
 #include "pliant/mesh/half_edges.h"
 
 #include <algorithm>
@@ -12,13 +12,15 @@
 namespace pliant {
 namespace {
 
-/// What a point is used for. Inside an edge that has one triangle so far it is a half-edge; inside one that has both,
-/// `paired` of it, so that a third is noticed without a look at twins.
+/// What a point is used for. The use of a point inside an edge is the half-edge of the first triangle met there; once
+/// the second triangle has been met, the use is `paired` of the second half-edge, so that a third one is noticed
+/// without a look at the twins.
 constexpr HalfEdgeId unused = -1, corner = -2, inside_triangle = -3;
 constexpr HalfEdgeId paired(HalfEdgeId h) { return -4 - h; }
 constexpr HalfEdgeId half_edge_of(HalfEdgeId use) { return use >= 0 ? use : use <= -4 ? paired(use) : none; }
 
-/// Are there equal ones? Most vertices have three higher neighbours.
+/// True if two of the ids are equal. Most vertices have three neighbours with higher numbers, so few ids are usual, and
+/// are compared pair by pair.
 bool has_duplicates(std::span<PointId> ids) {
   if (ids.size() > 12) {
     std::ranges::sort(ids);
@@ -41,8 +43,8 @@ HalfEdges::HalfEdges(const MeshData& data, bool by_vertices)
   if (!is_sound_) pair_by_vertices();
 }
 
-/// Memory is read at random here, so what comes next is asked for early: the entries of inner points, then what they
-/// name.
+/// Asks for memory before pair_by_inner_points reads it, since the reads are scattered: the uses of inner points for a
+/// triangle far ahead, and for one nearer what the half-edges in those uses lead to.
 void HalfEdges::fetch_for([[maybe_unused]] TriangleId t) const {
 #ifdef __GNUC__
   constexpr TriangleId far = 32, near = 16;
@@ -61,7 +63,7 @@ void HalfEdges::fetch_for([[maybe_unused]] TriangleId t) const {
 #endif
 }
 
-/// False as soon as M1 is broken. Twins share their inner control points, which nothing else has.
+/// Pairs twins by their inner control points, which only the two of them have. False as soon as M1 is broken.
 bool HalfEdges::pair_by_inner_points() {
   const NetLayout& layout = NetLayout::of(data_->degree);
   const int inner = data_->degree - 1;
@@ -106,10 +108,12 @@ bool HalfEdges::pair_by_inner_points() {
   return std::ranges::find(use_, unused) == use_.end();
 }
 
-/// Around each vertex one disk or half-disk. Count each vertex once for every disk or half-disk around it: Euler's
-/// formula then holds for the surface that the triangles make, vertices - edges + triangles = 2 (components - genus) -
-/// loops. So at most 2 components - loops + edges - triangles disks there are, and where that is the number of
-/// vertices, each has one (and the genus is 0). Nothing has to be walked around for that but the loops.
+/// True if one disk or half-disk of triangles lies around each vertex, by Euler's formula. Count each vertex once for
+/// every disk or half-disk around it; for the surface that the triangles make, then,
+///   count - edges + triangles = 2 (components - genus) - loops.
+/// The genus is at least 0, so the count is at most 2 components - loops + edges - triangles. If that bound is the
+/// number of vertices, each vertex counts once (and the genus is 0). So the loops of the outer boundary have to be
+/// walked along, but no star around its vertex.
 bool HalfEdges::is_each_star_simple() const {
   const TriangleId triangles = count_ / 3;
   std::vector<TriangleId> parent(index(triangles));  // a forest whose trees are the components
@@ -138,7 +142,7 @@ bool HalfEdges::is_each_star_simple() const {
   return 2 * components - loops + twice_edges / 2 - triangles == vertices_;
 }
 
-/// No two edges have the same two ends: sorted into buckets by their lower one.
+/// True if no two edges have the same two ends. Edges are sorted into buckets by their lower end.
 bool HalfEdges::is_each_edge_the_only_one() const {
   const auto ends = [this](HalfEdgeId h) { return std::minmax({origin(h), target(h)}); };
   const auto is_counted = [this](HalfEdgeId h) { return twin(h) == none || h < twin(h); };

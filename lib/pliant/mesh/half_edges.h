@@ -1,4 +1,4 @@
-// lib/pliant/mesh/half_edges.h: which half-edges of a document belong together?
+// lib/pliant/mesh/half_edges.h: which half-edges of a document are twins.
 #pragma once
 #include <array>
 #include <optional>
@@ -10,27 +10,28 @@
 
 namespace pliant {
 
-/// The half-edges of a document, paired. Of a document that is no proper mesh, too: there the first half-edges of
-/// either direction are twins, and others in their direction have the same twin.
+/// The half-edges of a document, paired to twins. The document may break M1 and M2. Where more than two half-edges join
+/// the same two vertices, the first one in each direction are twins, and each further one has the same twin as the
+/// first one of its direction.
 class HalfEdges {
  public:
   /// Requires    check_arrays(data) to be empty; the document must outlive this
   /// Complexity  O(n), plus sorting at each vertex
   explicit HalfEdges(const MeshData& data);
 
-  /// The same without the proof, by the vertices alone: is_sound() is false.
+  /// The same pairs, found by comparing vertices alone. That proves nothing: is_sound() is false.
   static HalfEdges by_vertices(const MeshData& data);
 
-  /// True only if M1 and M2 hold (of degree 1, at pinched vertices and on surfaces with handles it is false all the
-  /// same): pairing half-edges by their inner control points goes along with the proof.
+  /// True if M1 and M2 are proved to hold: pairing half-edges by their inner control points proves it on the way.
+  /// False also for some meshes that satisfy both: those of degree 1, with pinched vertices, or with handles.
   bool is_sound() const { return is_sound_; }
   HalfEdgeId twin(HalfEdgeId h) const { return twins_[static_cast<std::size_t>(h)]; }
   const std::vector<HalfEdgeId>& twins() const { return twins_; }
-  /// Is there a triangle of another face on the other side, or none?
+  /// True if the other side of h has a triangle of another face, or no triangle.
   bool is_border(HalfEdgeId h) const { return borders_[static_cast<std::size_t>(h)]; }
-  /// The half-edge that runs along these control points of an edge, and the one that runs back; or none.
+  /// The half-edge from the first to the last of an edge's control points, and the one back; each may be none.
   std::array<HalfEdgeId, 2> along(std::span<const PointId> edge) const;
-  /// By their vertices; made when first asked for.
+  /// The half-edges grouped by their vertices; made when first asked for.
   const EdgeUses& uses() const;
 
  private:
@@ -53,7 +54,7 @@ class HalfEdges {
   std::vector<bool> borders_;
   bool is_sound_ = false;
   std::int64_t vertices_ = 0;
-  std::vector<HalfEdgeId> use_;  // of each point, only if sound
+  std::vector<HalfEdgeId> use_;  // what each point is used for (coded in half_edges.cpp); empty unless sound
   mutable std::optional<EdgeUses> uses_;
 };
 

@@ -1,4 +1,4 @@
-// lib/pliant/mesh/hilbert_order.h: places along Hilbert's curve, on which neighbours in order are near.
+// lib/pliant/mesh/hilbert_order.h: places along Hilbert's curve: what follows each other there lies near in the plane.
 #pragma once
 #include <algorithm>
 #include <cstdint>
@@ -7,7 +7,8 @@
 
 namespace pliant {
 
-/// Numbers points by where Hilbert's curve through a box passes them, on a grid of 2^bits by 2^bits, bits <= 32.
+/// Numbers points by where Hilbert's curve through a box passes them, on a grid of 2^bits by 2^bits cells.
+/// Requires    1 <= bits <= 32
 class HilbertOrder {
  public:
   HilbertOrder(const Box& box, int bits) : low_(box.low), bits_(bits) {
@@ -15,7 +16,7 @@ class HilbertOrder {
     scale_ = extent > 0 && std::isfinite(extent) ? std::ldexp(1.0, bits) / extent : 0;
     if (!std::isfinite(scale_)) scale_ = 0;
   }
-  /// Points outside the box count as those of its border that are nearest along the axes.
+  /// The place of p on the curve. A point outside the grid has the place of the nearest cell.
   std::uint64_t operator()(const Point& p) const {
     std::uint64_t x = cell((p.x - low_.x) * scale_), y = cell((p.y - low_.y) * scale_), place = 0;
     for (std::uint64_t bit = std::uint64_t{1} << (bits_ - 1); bit > 0; bit >>= 1) {

@@ -4,7 +4,7 @@
 
 namespace pliant {
 
-using PointId = std::int32_t;       ///< a control point; those at corners are the *vertices*
+using PointId = std::int32_t;       ///< a control point; a *vertex* is a control point at a corner
 using TriangleId = std::int32_t;    ///< an element
 using HalfEdgeId = std::int32_t;    ///< 3 * triangle + e: edge e of a triangle, from corner e to corner (e + 1) % 3
 using ConstraintId = std::int32_t;  ///< a constrained edge

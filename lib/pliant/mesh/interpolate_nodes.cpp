@@ -1,4 +1,4 @@
-// lib/pliant/mesh/interpolate_nodes.cpp: a function of place, brought into the basis of the mesh (paper §6.1).
+// lib/pliant/mesh/interpolate_nodes.cpp: interpolation at vertices, then along edges, then inside triangles.
 #include "pliant/mesh/interpolate_nodes.h"
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 namespace pliant {
 namespace {
 
-/// The three kinds of nodes, and the scratch space for them.
+/// Interpolates at the three kinds of nodes, and holds the scratch space for them.
 class NodeInterpolation {
  public:
   NodeInterpolation(const Mesh& mesh, int width, const NodeFunction& function, std::span<char> known,
@@ -32,7 +32,7 @@ class NodeInterpolation {
     function_(mesh_.point(v), row(v));
   }
 
-  /// Requires both ends known.
+  /// Requires both end points to be known.
   void edge(HalfEdgeId h) {
     if (degree_ < 2 || is_known(mesh_.edge_point(h, 1))) return;
     for (int k = 0; k <= degree_; ++k) place(k, mesh_.edge_point(h, k));
@@ -48,7 +48,7 @@ class NodeInterpolation {
     for (int k = 1; k < degree_; ++k) copy_out(k, mesh_.edge_point(h, k));
   }
 
-  /// Requires all of the triangle's edges known.
+  /// Requires the points of all three edges to be known.
   void interior(TriangleId t) {
     const NetLayout& layout = mesh_.layout();
     const auto net = mesh_.net(t);
@@ -103,7 +103,7 @@ int find_field(const Mesh& mesh, const std::string& name) {
   return none;
 }
 
-/// Every (point, face) with the point in an element of the face, sorted.
+/// Every pair of a point and a face that has the point in one of its elements, sorted.
 std::vector<std::array<std::int32_t, 2>> places_of(const Mesh& mesh) {
   std::vector<std::array<std::int32_t, 2>> places;
   for (TriangleId t = 0; t < mesh.triangle_slots(); ++t)

@@ -1,4 +1,4 @@
-// lib/pliant/mesh/locate.cpp: the element and barycentric coordinates of a point (paper §5.2.1, §5.3.2).
+// lib/pliant/mesh/locate.cpp: jump and walk, a tree of boxes when that fails, and a look at the elements around.
 #include "pliant/mesh/locate.h"
 
 #include <algorithm>
@@ -18,12 +18,12 @@
 namespace pliant {
 namespace {
 
-constexpr double inside_tolerance = 1e-12;  // of a barycentric coordinate
-constexpr double near_edge = 1e-9;          // of a barycentric coordinate: neighbours may contain the point as well
-constexpr int max_attempts = 12;            // elements in which Newton is tried by one walk
-constexpr int max_around = 64;              // elements in which it is tried about an edge or a vertex
-constexpr long steps_to_tree = 64;          // where there is a tree: longer walks cost more than it
-constexpr long steps_per_triangle = 4;      // that making the tree costs, roughly
+constexpr double inside_tolerance = 1e-12;  // a barycentric coordinate above minus this counts as inside
+constexpr double near_edge = 1e-9;  // a barycentric coordinate below this is near the edge: look at the neighbour too
+constexpr int max_attempts = 12;    // a walk tries Newton in at most so many elements
+constexpr int max_around = 64;      // around an edge or a vertex at most so many elements are looked at
+constexpr long search_steps = 64;   // a search in the tree costs about as much as so many steps of a walk
+constexpr long build_steps_per_triangle = 4;  // making the tree costs about as much as so many steps per triangle
 
 double least_of(const Barycentric& xi) { return std::min({xi[0], xi[1], xi[2]}); }
 
@@ -34,7 +34,7 @@ double Locator::tolerance(const Point& p) const {
 }
 
 long Locator::most_steps() const {
-  return steps_to_tree + static_cast<long>(8 * std::sqrt(static_cast<double>(mesh_.triangle_count())));
+  return search_steps + static_cast<long>(8 * std::sqrt(static_cast<double>(mesh_.triangle_count())));
 }
 
 std::optional<Barycentric> Locator::invert(TriangleId t, const Point& p) const {
@@ -43,7 +43,7 @@ std::optional<Barycentric> Locator::invert(TriangleId t, const Point& p) const {
   return invert_map(mesh_.degree(), {net.data(), index(mesh_.net_size())}, p, tolerance(p));
 }
 
-/// As `invert`, but empty only where the element does not contain p, or breaks M3.
+/// The same as `invert`, but it is empty only where the element does not contain p, or breaks M3.
 std::optional<Barycentric> Locator::search(TriangleId t, const Point& p) const {
   std::array<Point, net_size(max_degree)> net;
   mesh_.gather_points(t, net);
@@ -116,13 +116,13 @@ std::optional<Location> Locator::find(const Point& p, TriangleId hint) {
 
 std::optional<Location> Locator::walk_or_search(const Point& p, TriangleId hint) {
   if (is_triangle(hint))
-    if (auto found = walk(p, hint, tree_.empty() ? most_steps() : steps_to_tree)) return found;
-  if (tree_.empty() && steps_ <= steps_per_triangle * mesh_.triangle_count())
+    if (auto found = walk(p, hint, tree_.empty() ? most_steps() : search_steps)) return found;
+  if (tree_.empty() && steps_ <= build_steps_per_triangle * mesh_.triangle_count())
     if (auto found = walk(p, nearest_of_some(p), most_steps())) return found;
   return search_tree(p);
 }
 
-/// Of n^(1/3) triangles all over the mesh (jump and walk: Mücke, Saias, Zhu).
+/// The nearest of n^(1/3) triangles, taken evenly by number (jump and walk: Mücke, Saias, Zhu).
 TriangleId Locator::nearest_of_some(const Point& p) {
   const auto some = static_cast<std::int64_t>(std::cbrt(mesh_.triangle_count())) + 1;
   TriangleId nearest = none;
@@ -149,8 +149,8 @@ std::optional<Location> Locator::search_tree(const Point& p) {
   return found;
 }
 
-/// Of the elements about p's edge or vertex that contain p: by crossing those edges that p is near, and by the other
-/// components of a pinched vertex's star.
+/// The element with the least number that contains p, among those that meet in the edge or vertex that p is near. They
+/// are reached by crossing the edges near p, and by the half-edges known at a pinched vertex.
 Location Locator::least_around(const Point& p, const Location& found) const {
   Location least = found;
   if (least_of(found.xi) > near_edge) return least;
@@ -161,7 +161,8 @@ Location Locator::least_around(const Point& p, const Location& found) const {
     if (known == max_around || !is_triangle(t)) return;
     if (std::any_of(around.data(), around.data() + known, [t](const Location& l) { return l.triangle == t; })) return;
     auto xi = invert(t, p);
-    if (!xi || least_of(*xi) < -near_edge) xi = search(t, p);  // Newton may end in a place beyond, far from p's own
+    // Newton may find another xi, beyond the element, that the map takes to p as well.
+    if (!xi || least_of(*xi) < -near_edge) xi = search(t, p);
     if (!xi) return;
     around[index(known++)] = {t, *xi};
     if (t < least.triangle && least_of(*xi) >= -inside_tolerance) least = {t, *xi};
@@ -181,7 +182,7 @@ Location Locator::least_around(const Point& p, const Location& found) const {
 void Locator::find_all(std::span<const Point> points, std::span<std::optional<Location>> found) {
   assert(points.size() == found.size());
   constexpr std::size_t most = std::size_t{1} << 20;
-  std::vector<std::uint64_t> order;  // place, number
+  std::vector<std::uint64_t> order;  // place on Hilbert's curve, and the point's number in the lower 32 bits
   for (std::size_t first = 0; first < points.size(); first += most) {
     const std::size_t count = std::min(most, points.size() - first);
     const std::span<const Point> block = points.subspan(first, count);

@@ -13,37 +13,40 @@ struct Location {
   Barycentric xi;
 };
 
-/// Finds elements by position: by a walk from near, by a tree of control-net boxes from afar. What is proved:
-///   found     |chi(xi) - p| is within 1e-14 of the mesh's size and rounding, by evaluation, with no coordinate of xi
-///             below -1e-12; so a point at most 1e-12 of its element's size outside the domain may be found
-///   outside   no element contains p (M3 is required only to bound the work): for each whose control net's box contains
-///             p, bisection proved that it does not (`find_in_element`); what an element that breaks M3 leaves
-///             undecided counts as outside
-/// Where several elements contain p, up to 1e-12 of xi, the answer is the least of those around, so it depends neither
-/// on hints nor on what was asked before. Non-finite points are outside.
+/// Finds elements by position: by a walk from an element nearby, or by a search in a tree of control-net boxes.
 ///
-/// The tree is made at the first need, and the answers from it hold as long as the mesh does not change: construct anew
-/// or call `forget_tree` then. Not for use by two threads at once.
+/// Ensures     found: chi(xi) was evaluated and is within 1e-14 of the mesh's size (or rounding) of p, and no
+///             coordinate of xi is below -1e-12. So a point outside the domain by at most 1e-12 of an element's size
+///             may be found in that element.
+///             Outside: no element contains p. `find_in_element` proved it for each element whose control net's box
+///             contains p. If an element breaks M3 the proof may not end; the element then counts as not containing p.
+///             Several elements contain p (up to 1e-12 in xi): the one with the least number of those that meet there
+///             is the answer, so hints and earlier questions do not change it. A point that is not finite is outside.
+/// Requires    the same mesh for every question: the tree is made when first needed and kept. After a change of the
+///             mesh call `forget_tree` or construct anew. One thread at a time
 class Locator {
  public:
   explicit Locator(const Mesh& mesh) : mesh_(mesh) {}
   /// The element that contains p; empty if p is outside the domain. A hint that is not a live triangle counts as none.
   ///
-  /// Walks from the hint; without one, or where that fails, from the nearest of a few triangles as long as there is no
-  /// tree. The tree is made when that fails too, and once all walks have taken as many steps as making it is worth.
+  /// Walks from the hint. Without a hint, or where that walk fails, it walks from the nearest of a few triangles, as
+  /// long as there is no tree. It makes the tree when that walk fails too, or when all walks together have taken as
+  /// many steps as making the tree costs.
   ///
-  /// Complexity  expected O(1) from a near hint; without, some O(n^(1/3)), and O(log n) once there is a tree; walks end
-  ///             after O(sqrt n) steps
+  /// Complexity  expected O(1) from a near hint; without a hint about O(n^(1/3)), and O(log n) once there is a tree;
+  ///             walks end after O(sqrt n) steps
   std::optional<Location> find(const Point& p, TriangleId hint = none);
-  /// The same for many points: found[k] is what find(points[k]) gives. Takes them in Hilbert order, each with the one
-  /// before as its hint.
+  /// The same for many points: found[k] is what find(points[k]) gives. Takes the points in Hilbert order, with the
+  /// element of each as the hint for the next.
   ///
   /// Shapes      found: as many as points
-  /// Complexity  expected O(1) a point where there are as many points as triangles; 8 bytes for each of 2^20 points
+  /// Complexity  expected O(1) per point where there are as many points as triangles; memory for 2^20 points at most
   void find_all(std::span<const Point> points, std::span<std::optional<Location>> found);
-  /// Only the walk: empty if it fails, which says nothing about the domain. In the logical mesh from `hint`, then
-  /// Newton in the element, then the neighbour that the most negative coordinate points at, with a visited set.
+  /// Only the walk: empty if it fails, which does not mean that p is outside. It goes through the logical mesh from
+  /// `hint`, then tries Newton in the element where it ends; where xi has negative coordinates it goes on to the
+  /// neighbour across the edge of the most negative one, to no element twice.
   ///
+  /// Requires    a live triangle as the hint
   /// Complexity  expected O(1) from a near hint; never more than O(sqrt n) steps
   std::optional<Location> walk(const Point& p, TriangleId hint);
   void forget_tree() {
@@ -67,7 +70,7 @@ class Locator {
   const Mesh& mesh_;
   TriangleTree tree_;
   TriangleId last_ = none;  // where the last point was found: the hint for the next of many
-  long steps_ = 0;          // of all walks since there is no tree
+  long steps_ = 0;          // of all walks since the last forget_tree: many make a tree worth its cost
 };
 
 }  // namespace pliant

@@ -17,13 +17,13 @@ namespace pliant {
 
 class HalfEdges;
 
-/// A curved mesh that satisfies M1, M2, M4, M5 and M6 between operations.
+/// A curved mesh that satisfies M1, M2, M4, M5 and M6 (formats/mesh.md) between operations.
 ///
 /// Triangles and points live in *slots*; an operation may free slots (`is_alive`) and reuse them. `compact` renumbers
-/// in order, drops the free slots and derives the adjacency anew, exactly as a reader of the written document would:
-/// every pass ends with it, so a pipe of processes equals one process.
+/// in order, drops the free slots and derives the adjacency anew, exactly as a reader of the written document would.
+/// Every pass ends with it, so passes in one process give the same bytes as a pipe of processes.
 ///
-/// Inside a Transaction every change is recorded and can be undone bit for bit.
+/// A change inside a Transaction is recorded and can be undone bit for bit.
 class Mesh {
  public:
   Mesh() = default;
@@ -31,6 +31,7 @@ class Mesh {
   explicit Mesh(MeshData data);
   /// The document of this mesh; slots are renumbered in order. Complexity O(mesh).
   MeshData to_data() const;
+  /// Drops the free slots (see above); size() and tolerance() are measured anew. Complexity O(mesh).
   void compact();
   /// Compacts, and numbers triangles and points so that neighbours are near (see renumber_along_hilbert).
   /// Complexity O(mesh * log).
@@ -63,8 +64,8 @@ class Mesh {
   /// One half-edge that leaves vertex v; none if the point is not a vertex.
   HalfEdgeId vertex_half_edge(PointId v) const { return vertex_half_edges_[index(v)]; }
   bool is_vertex(PointId v) const { return vertex_half_edges_[index(v)] >= 0; }
-  /// Of a *pinched* vertex, whose star has several components (half-disks): half-edges that leave it, at least one of
-  /// each component; empty for every other vertex.
+  /// Half-edges at a *pinched* vertex, one whose star has several components (half-disks). At least one half-edge of
+  /// each component leaves v; others may have come to lead from elsewhere, or be dead. Empty for every other vertex.
   std::span<const HalfEdgeId> pinched_half_edges(PointId v) const {
     if (pinches_.empty()) return {};
     const auto found = pinches_.find(v);
@@ -74,14 +75,15 @@ class Mesh {
   bool is_point_alive(PointId p) const { return vertex_half_edges_[index(p)] != free_slot; }
   const NetLayout& layout() const { return *layout_; }
 
-  /// The mesh vertices at the places of vertices of the boundary complex in which no curve ends. They stay: no
-  /// operation removes or moves one, and motion takes the complex's vertex along.
+  /// The mesh vertices where the boundary complex has a vertex in which no curve ends. No operation removes or moves
+  /// one; motion moves the complex's vertex with it.
   std::span<const LoneVertex> lone_vertices() const { return lone_vertices_; }
   bool is_lone_vertex(PointId v) const {
     return !lone_points_.empty() && std::binary_search(lone_points_.begin(), lone_points_.end(), v);
   }
 
-  // -- constrained edges: a half-edge's constraint names the curve, the start of the span, and its first vertex
+  // -- constrained edges: the constraint of a half-edge names the curve, the parameter at which the edge's span starts,
+  // and the vertex there
   CurveId constraint_curve(ConstraintId c) const { return constraint_curves_[index(c)]; }
   double constraint_start(ConstraintId c) const { return constraint_starts_[index(c)]; }
   PointId constraint_first(ConstraintId c) const { return constraint_firsts_[index(c)]; }
@@ -94,7 +96,7 @@ class Mesh {
   const Point& point(PointId p) const { return points_[index(p)]; }
   int width() const { return width_; }
   const std::vector<Field>& fields() const { return fields_; }
-  /// The net's rows: net_size x width.
+  /// The rows of a triangle's net: net_size x width.
   void gather(TriangleId t, std::span<double> rows) const;
   void gather_points(TriangleId t, std::span<Point> points) const;
   void gather_edge_points(HalfEdgeId h, std::span<Point> points) const;
@@ -108,14 +110,14 @@ class Mesh {
   Criteria criteria;
   ExtraMembers extra;
   Box box() const;  ///< of all control points
-  /// The diagonal of box() when the mesh was made (as read): tolerances are relative to it.
+  /// The diagonal of box() when the mesh was made or last compacted: tolerances are relative to it.
   double size() const { return size_; }
   /// Places closer than this are the same up to rounding (Box::tolerance of the same box).
   double tolerance() const { return tolerance_; }
 
   // -- changes; recorded inside a Transaction
   void set_point(PointId p, const Point& position);
-  /// Position and fields of one control point, seen from one face. A missing place of a field by face is made.
+  /// Position and fields of one control point, as seen from face f. A place that fields by face do not have is made.
   void put_row(PointId p, FaceId f, std::span<const double> row);
   /// Only the fields (columns 2..) of the row.
   void put_fields(PointId p, FaceId f, std::span<const double> row);
@@ -127,23 +129,24 @@ class Mesh {
   TriangleId add_triangle(FaceId f);
   void free_triangle(TriangleId t);
   void set_net_point(TriangleId t, int k, PointId p);
-  void link(HalfEdgeId h, HalfEdgeId g);  ///< twins; either may be none
+  void link(HalfEdgeId h, HalfEdgeId g);  ///< makes them twins; either may be none
   void set_constraint(HalfEdgeId h, ConstraintId c);
   ConstraintId add_constraint(CurveId curve, double start, PointId first);
   void set_constraint_record(ConstraintId c, CurveId curve, double start, PointId first);
   void free_constraint(ConstraintId c);
   void set_vertex_half_edge(PointId v, HalfEdgeId h);
-  /// Inserts a knot into a curve or removes a break, as BSpline does: what that costs does not grow with the curve.
+  /// Inserts a knot into a curve, or removes a break, as BSpline does; the log keeps only the entries that change.
   void insert_knot(CurveId c, double t);
   std::optional<double> remove_break(CurveId c, double t);
   void set_curve_point(CurveId c, int i, const Point& place);
   void set_removal_error(CurveId c, double error);
-  /// Drops places of by-face fields that name a face no longer around the point.
+  /// Drops the place (p, f) of fields by face, if there is one: face f is no longer around p.
   void drop_place(PointId p, FaceId f);
 
-  /// Replaces or adds a field (not recorded: for tools and passes that own the mesh). Sizes must fit.
+  /// Replaces the field of the same name, or adds one. Not recorded: for tools and passes, outside operations.
+  /// Requires    sizes that fit, and by face the places of the mesh
   void set_field(Field field);
-  /// Positions of all control points at once (motion); not recorded.
+  /// Moves all control points, curves or vertices of the boundary complex (motion); not recorded.
   void set_points(std::vector<Point> points);
   void set_boundary_motion(CurveId c, BSpline spline);
   void set_boundary_vertex(int v, const Point& p) { boundary_.vertices[index(v)] = p; }
@@ -193,12 +196,12 @@ class Mesh {
   std::vector<PointId> constraint_firsts_;
   std::vector<double> constraint_starts_;
   std::vector<Field> fields_;
-  // Half-edges at pinched vertices; what operations make is added and, as long as they may be undone, nothing goes:
-  // some may lead from elsewhere by now, but one of each component does not.
+  // Half-edges at pinched vertices. Operations add those they make. None is taken out as long as a transaction may be
+  // undone, so some may have come to lead from elsewhere; but at least one of each component leaves the vertex.
   std::unordered_map<PointId, std::vector<HalfEdgeId>> pinches_;
   std::vector<PointId> changed_pinches_;
-  using Places = std::unordered_map<std::uint64_t, std::int32_t>;  // of fields by face: (point, face) -> place
-  /// Nodes of dropped places, for those to come; a copy of the mesh starts without.
+  using Places = std::unordered_map<std::uint64_t, std::int32_t>;  // (point, face) -> slot in fields by face
+  /// Map nodes of dropped places, kept so that new places need no allocation; a copy of the mesh starts with none.
   struct SpareNodes {
     SpareNodes() = default;
     SpareNodes(const SpareNodes&) {}
@@ -216,12 +219,12 @@ class Mesh {
   bool has_by_face_ = false;
   BoundaryComplex boundary_;
   std::vector<LoneVertex> lone_vertices_;
-  std::vector<PointId> lone_points_;  // theirs, ascending
+  std::vector<PointId> lone_points_;  // the points of lone_vertices_, ascending
   std::vector<std::int32_t> free_triangles_, free_points_, free_constraints_;
   std::vector<LogEntry> log_;
   BSpline::Edits curve_edits_;  // in the order of their entries in the log
-  int recording_ = 0;
-  bool changed_ = false;
+  int recording_ = 0;           // how many transactions are open
+  bool changed_ = false;        // more than positions and values has changed: compact must derive the mesh anew
 };
 
 /// All changes of a mesh between construction and `commit`; without commit, or after `roll_back`, the mesh is bit for

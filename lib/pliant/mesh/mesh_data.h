@@ -1,4 +1,4 @@
-// lib/pliant/mesh/mesh_data.h: a mesh as its document has it: plain arrays, nothing derived, nothing assumed.
+// lib/pliant/mesh/mesh_data.h: a mesh as its document (formats/mesh.md) has it: plain arrays, nothing derived.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -12,32 +12,36 @@
 
 namespace pliant {
 
-/// A function carried by the mesh: control values in the basis of the geometry (isoparametric).
+/// A function carried by the mesh: control values in the basis of the geometry (isoparametric). A field *by face* may
+/// jump across curves: it has one value for each *place*, a pair of a control point and a face around it.
 struct Field {
   std::string name;
   int components = 1;
   bool by_face = false;
-  std::vector<double> values;  ///< components fastest, in the order of points, or of `places` if by face
-  std::vector<std::array<std::int32_t, 2>> places;  ///< by face: (point, face), sorted; otherwise empty
+  std::vector<double> values;  ///< for each point (by face: for each of `places`) in order, all its components
+  std::vector<std::array<std::int32_t, 2>> places;  ///< only by face: (point, face), sorted
   ExtraMembers extra;
 };
 
+/// An edge that lies on a curve of the boundary complex: one span of it.
 struct ConstrainedEdge {
   CurveId curve = none;
   int span = 0;                 ///< number of the curve's span
   std::vector<PointId> points;  ///< degree + 1, in the curve's direction
 };
 
-/// What the mesh promises: the defaults of refine and coarsen. Angles in degrees, areas and lengths in mesh units.
+/// What the mesh promises about its elements; refine and coarsen take their defaults from here.
+///
+/// Units       angles in degrees; areas and lengths in the document's units
 struct Criteria {
   std::optional<double> min_angle;
   std::optional<double> max_area;
-  std::vector<std::pair<std::string, double>> face_area;
-  std::optional<std::string> size;        ///< expression in x, y, t
-  std::optional<std::string> size_field;  ///< name of a field of wanted lengths
-  std::optional<double> max_turning;
-  std::optional<double> min_size;
-  std::optional<bool> keeps_thin;  ///< `thin`: "keep" (true) or "refine"
+  std::vector<std::pair<std::string, double>> face_area;  ///< face's name, greatest area of its elements
+  std::optional<std::string> size;                        ///< the wanted edge length, an expression in x, y, t
+  std::optional<std::string> size_field;                  ///< name of a field whose values are wanted edge lengths
+  std::optional<double> max_turning;                      ///< greatest angle by which an edge turns
+  std::optional<double> min_size;                         ///< no two vertices are closer than this
+  std::optional<bool> keeps_thin;                         ///< member `thin`: "keep" is true, "refine" is false
   ExtraMembers extra;
 };
 
@@ -45,7 +49,7 @@ struct MeshData {
   int degree = 2;
   double time = 0;
   std::vector<Point> points;
-  std::vector<PointId> triangles;  ///< net_size(degree) indices a triangle, in the order of NetLayout
+  std::vector<PointId> triangles;  ///< net_size(degree) indices per triangle, in the order of NetLayout
   std::vector<FaceId> triangle_faces;
   std::vector<ConstrainedEdge> constrained_edges;
   std::vector<Field> fields;

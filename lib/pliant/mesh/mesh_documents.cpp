@@ -1,5 +1,4 @@
-// lib/pliant/mesh/mesh_documents.cpp: A mesh from its document and back: numbering, adjacency, constrained edges,
-// fields by face.
+// lib/pliant/mesh/mesh_documents.cpp: a mesh from its document and back: numbers, adjacency, constrained edges, fields.
 #include <algorithm>
 
 #include "pliant/geometry/index.h"
@@ -10,7 +9,7 @@
 namespace pliant {
 namespace {
 
-/// The constrained edges as a document has them, by curve and span.   `number`: of each point, in the document
+/// The constrained edges as a document has them, sorted by curve and span; number[p] is the number of point p there.
 std::vector<ConstrainedEdge> list_constrained_edges(const Mesh& mesh, const std::vector<PointId>& number) {
   std::vector<ConstrainedEdge> edges;
   std::vector<std::vector<double>> breaks(mesh.boundary().curves.size());
@@ -100,7 +99,7 @@ void Mesh::connect(const MeshData& data, const HalfEdges& half_edges) {
       vertex_half_edges_[index(data.triangles[t * index(net_size_) + index(e)])] =
           half_edge(static_cast<TriangleId>(t), e);
 
-  // Each component of an open star begins with a half-edge that has no triangle on the other side.
+  // Each component of an open star begins with a half-edge that has no twin. Two of them at one vertex: it is pinched.
   std::vector<char> is_open(data.points.size(), 0);
   std::vector<PointId> pinched;
   for (HalfEdgeId h = 0; h < static_cast<HalfEdgeId>(twins_.size()); ++h) {

@@ -1,10 +1,10 @@
-// lib/pliant/mesh/mesh_log.h: what a transaction notes of each change (private to this layer).
+// lib/pliant/mesh/mesh_log.h: the kinds of change that a transaction notes (private to this layer).
 #pragma once
 #include "pliant/mesh/mesh.h"
 
 namespace pliant {
 
-// value: index of the first kind for field values; field f is value + f.
+// The kind of a change to a value of field f is `value` + f.
 enum class Mesh::Log : std::uint32_t {
   point_x,
   point_y,

@@ -9,22 +9,22 @@
 
 namespace pliant {
 
-/// One thing that a pass would have done but could not, and where.
+/// One thing that a pass would have done but could not, and its place.
 struct RefusedAt {
   std::string reason;
-  Point place;  ///< in the mesh that the pass leaves: an edge's middle, a vertex
+  Point place;  ///< in the mesh that the pass leaves: the middle of an edge, or a vertex
 };
 
-/// What a pass did: named counts and values in a fixed order, then refusals by reason. `--report` writes it as JSON, -v
-/// as text.
+/// What a pass did: named counts and values in a fixed order, then refusals by reason. The option `--report` writes it
+/// as JSON, `-v` as text.
 struct PassReport {
-  static constexpr long most_places = 1000;  ///< of a reason; more are counted but not listed
+  static constexpr long most_places = 1000;  ///< listed for one reason; further refusals are only counted
 
   std::vector<std::pair<std::string, double>> values;  ///< whole numbers where they count something
   std::vector<std::pair<std::string, long>> refusals;  ///< reason -> how often; only those that occurred
   std::vector<RefusedAt> refused_at;                   ///< those with a place, at most `most_places` a reason
   std::vector<std::size_t> lengths;                    ///< which of the values are lengths
-  double resolution = 0;                               ///< of places as they are printed; 0: all digits
+  double resolution = 0;                               ///< places are printed to this length; 0: with all digits
   std::vector<std::string> notes;                      ///< sentences for -v: what blocks, what stays poor
 
   void add(std::string name, double value) { values.emplace_back(std::move(name), value); }
@@ -32,7 +32,7 @@ struct PassReport {
     lengths.push_back(values.size());
     add(std::move(name), value);
   }
-  /// Counts a refusal `times` times; the count so far.
+  /// Counts a refusal `times` times; returns how often its reason has been counted so far.
   long refuse(const std::string& reason, long times = 1) {
     for (auto& [name, count] : refusals)
       if (name == reason) return count += times;

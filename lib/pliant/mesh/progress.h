@@ -4,13 +4,13 @@
 
 namespace pliant {
 
-/// What a pass counts while it works. The pass only stores, relaxed, which costs what an ordinary store does; who shows
-/// it looks as often as it likes.
+/// What a pass counts while it works. The pass only stores, in relaxed order, which costs the same as ordinary stores;
+/// the thread that shows the progress may read at any time.
 struct Progress {
-  std::atomic<const char*> stage{""};  ///< a word with static storage: "generate", "refine"
-  std::atomic<const char*> unit{""};   ///< of what is counted: "rounds", "points"
-  std::atomic<long> done{0};           ///< so far in this stage
-  std::atomic<double> expected{0};     ///< `done` at the end, roughly; 0: not known
+  std::atomic<const char*> stage{""};  ///< what the pass is doing, in static storage: "generate", "refine"
+  std::atomic<const char*> unit{""};   ///< what is counted: "rounds", "points"
+  std::atomic<long> done{0};           ///< the count so far in this stage
+  std::atomic<double> expected{0};     ///< roughly the count at the end of this stage; 0: not known
 
   void start(const char* new_stage, const char* new_unit = "", double new_expected = 0) {
     done.store(0, std::memory_order_relaxed);

@@ -1,4 +1,4 @@
-// lib/pliant/mesh/renumber.cpp: numbers that keep neighbours near in memory.
+// lib/pliant/mesh/renumber.cpp: triangles sorted along Hilbert's curve, then points, then what names them.
 #include "pliant/mesh/renumber.h"
 
 #include <algorithm>

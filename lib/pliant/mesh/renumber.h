@@ -4,9 +4,12 @@
 
 namespace pliant {
 
-/// Numbers triangles along Hilbert's curve through their corners' means, those in one cell of it as before, and points
-/// in the order in which triangles name them. Points that no triangle names come last, as before.
-/// Requires well-formed arrays. Complexity O(data * log)
+/// Numbers triangles by where Hilbert's curve passes the mean of their corners; triangles in one cell of the curve keep
+/// their order. Then numbers points in the order in which triangles name them; points that no triangle names come last
+/// and keep their order.
+///
+/// Requires    check_arrays(data) to be empty
+/// Complexity  O(data * log)
 void renumber_along_hilbert(MeshData& data);
 
 }  // namespace pliant

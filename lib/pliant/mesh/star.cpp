@@ -1,4 +1,4 @@
-// lib/pliant/mesh/star.cpp: the triangles around a vertex, and its link.
+// lib/pliant/mesh/star.cpp: walks around a vertex, one component of its star after the other.
 #include "pliant/mesh/star.h"
 
 #include <algorithm>
@@ -7,12 +7,13 @@ namespace pliant {
 
 namespace {
 
-/// Adds the component of a star that contains h, if it is not there yet. True if h comes back round.
+/// Adds the component of a star that contains `start`, if it is not there yet. True if a component was added that goes
+/// all the way round.
 bool add_component(const Mesh& mesh, HalfEdgeId start, Star& star) {
   if (star.components > 0 && std::find(star.outgoing.begin(), star.outgoing.end(), start) != star.outgoing.end())
     return false;
   ++star.components;
-  // Clockwise to the outer boundary, if there is one; then all counter-clockwise from there.
+  // First clockwise as far as the outer boundary, if there is one; from there counter-clockwise, adding half-edges.
   bool is_closed = false;
   HalfEdgeId h = start;
   while (mesh.twin(h) != none) {
@@ -30,29 +31,30 @@ bool add_component(const Mesh& mesh, HalfEdgeId start, Star& star) {
   return is_closed;
 }
 
-/// The first half-edge of a component of a star, on either way round from `start`, for which `is_it` holds; or none.
-template <class IsIt>
-HalfEdgeId find_around(const Mesh& mesh, HalfEdgeId start, IsIt is_it) {
+/// The first half-edge that `is_wanted` takes, in the component of a star that contains `start`; or none. Goes
+/// counter-clockwise from `start`, then clockwise.
+template <class IsWanted>
+HalfEdgeId find_around(const Mesh& mesh, HalfEdgeId start, IsWanted is_wanted) {
   HalfEdgeId h = start;
-  do {  // counter-clockwise
-    if (is_it(h)) return h;
+  do {
+    if (is_wanted(h)) return h;
     h = mesh.twin(previous(h));
   } while (h != none && h != start);
   if (h == start) return none;
-  for (h = mesh.twin(start); h != none; h = mesh.twin(next(h)))  // clockwise
-    if (is_it(next(h))) return next(h);
+  for (h = mesh.twin(start); h != none; h = mesh.twin(next(h)))
+    if (is_wanted(next(h))) return next(h);
   return none;
 }
 
 /// The same over all components of the star of v.
-template <class IsIt>
-HalfEdgeId find_at(const Mesh& mesh, PointId v, IsIt is_it) {
+template <class IsWanted>
+HalfEdgeId find_at(const Mesh& mesh, PointId v, IsWanted is_wanted) {
   const HalfEdgeId start = mesh.vertex_half_edge(v);
   if (start < 0) return none;
-  HalfEdgeId found = find_around(mesh, start, is_it);
+  HalfEdgeId found = find_around(mesh, start, is_wanted);
   if (found != none) return found;
   for (const HalfEdgeId h : mesh.pinched_half_edges(v))
-    if (mesh.is_alive(triangle_of(h)) && mesh.origin(h) == v && (found = find_around(mesh, h, is_it)) != none)
+    if (mesh.is_alive(triangle_of(h)) && mesh.origin(h) == v && (found = find_around(mesh, h, is_wanted)) != none)
       return found;
   return none;
 }
@@ -64,7 +66,7 @@ struct Walk {
   bool is_clockwise = false;
 
   Walk(const Mesh& around, PointId v) : mesh(around), start(around.vertex_half_edge(v)), h(start) {}
-  /// To the next one; false when all have been seen.
+  /// Goes to the next half-edge; false when all have been seen.
   bool step() {
     if (!is_clockwise) {
       h = mesh.twin(previous(h));
@@ -78,8 +80,8 @@ struct Walk {
   }
 };
 
-/// Calls `from_a` with the half-edges that leave a and `from_b` with those that leave b, in turn, until one is not none
-/// or either star is done: what it costs is the smaller star's size.
+/// Calls `from_a` with the half-edges that leave a and `from_b` with those that leave b, in turn, until one call gives
+/// a half-edge or either star is done. So it takes no longer than a walk around the smaller star.
 template <class FromA, class FromB>
 HalfEdgeId find_at_either(const Mesh& mesh, PointId a, PointId b, FromA from_a, FromB from_b) {
   Walk at_a(mesh, a), at_b(mesh, b);
@@ -113,7 +115,7 @@ HalfEdgeId find_half_edge(const Mesh& mesh, PointId a, PointId b) {
 }
 
 bool are_joined(const Mesh& mesh, PointId a, PointId b) {
-  // The last edge of an open star leads only to a.
+  // The last edge of an open star has no half-edge that leaves a, so both other corners of each triangle are compared.
   const auto leads_to = [&mesh](HalfEdgeId h, PointId v) { return mesh.target(h) == v || mesh.apex(h) == v; };
   if (mesh.is_pinched(a) || mesh.is_pinched(b))
     return find_at(mesh, a, [&](HalfEdgeId h) { return leads_to(h, b); }) != none;

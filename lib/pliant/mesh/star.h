@@ -6,9 +6,9 @@
 
 namespace pliant {
 
-/// The half-edges that leave a vertex, counter-clockwise; of an inner vertex they go all the way round.
+/// The half-edges that leave a vertex, counter-clockwise; around an inner vertex they go all the way round.
 struct Star {
-  std::vector<HalfEdgeId> outgoing;  ///< triangle_of each is a triangle of the star, in order
+  std::vector<HalfEdgeId> outgoing;  ///< one in each triangle of the star
   bool is_closed = false;            ///< the vertex is not on the outer boundary
   int components = 0;                ///< 1, or more at a pinched vertex: half-disks, one after the other
 
@@ -24,7 +24,7 @@ HalfEdgeId find_half_edge(const Mesh& mesh, PointId a, PointId b);
 /// True if an edge joins a and b, whichever way round its triangles have it.
 bool are_joined(const Mesh& mesh, PointId a, PointId b);
 
-/// True if v belongs to the boundary complex: some edge at it lies on a curve, or it is a vertex without one.
+/// True if the star's vertex belongs to the boundary complex: an edge at it lies on a curve, or it is a lone vertex.
 bool is_on_curve(const Mesh& mesh, const Star& star);
 
 }  // namespace pliant

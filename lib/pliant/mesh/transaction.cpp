@@ -1,4 +1,4 @@
-// lib/pliant/mesh/transaction.cpp: Changes of a mesh undone, in the reverse order.
+// lib/pliant/mesh/transaction.cpp: changes of a mesh undone, in the reverse order.
 #include <algorithm>
 #include <bit>
 
@@ -7,7 +7,7 @@
 
 namespace pliant {
 
-// A long function, since it is one list: every kind of change, and how it is taken back.
+// This function is long since it is one list: every kind of change, and how it is taken back.
 void Mesh::undo(std::size_t mark) {
   while (log_.size() > mark) {
     const LogEntry entry = log_.back();

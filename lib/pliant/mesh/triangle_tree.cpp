@@ -1,4 +1,4 @@
-// lib/pliant/mesh/triangle_tree.cpp: the elements whose control net's box contains a point.
+// lib/pliant/mesh/triangle_tree.cpp: the tree of boxes packed, from the elements up.
 #include "pliant/mesh/triangle_tree.h"
 
 #include <algorithm>
@@ -20,7 +20,8 @@ void TriangleTree::build(const Mesh& mesh, double margin) {
     all.extend(box.low);
     all.extend(box.high);
   }
-  // Of small elements far below 2^-32 of the whole many share a place: then they stand in the order of their numbers.
+  // Elements far smaller than 2^-32 of the mesh may share a place on the curve; they then keep the order of their
+  // numbers.
   const HilbertOrder order(all, 32);
   std::vector<std::pair<std::uint64_t, TriangleId>> places;
   places.reserve(static_cast<std::size_t>(mesh.triangle_count()));

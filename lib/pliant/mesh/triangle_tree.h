@@ -1,4 +1,4 @@
-// lib/pliant/mesh/triangle_tree.h: the elements whose control net's box contains a point.
+// lib/pliant/mesh/triangle_tree.h: a tree of boxes that finds the elements whose control net's box contains a point.
 #pragma once
 #include <array>
 #include <cstddef>
@@ -8,13 +8,13 @@
 
 namespace pliant {
 
-/// A packed tree: elements in Hilbert order of their boxes' centres, four to a node, four nodes to one above, and so
-/// on. It knows the mesh as it was when the tree was built.
+/// A packed tree: elements in Hilbert order of their boxes' centres, four to a node, four nodes to a node above, and so
+/// on. It shows the mesh as it was when the tree was built.
 ///
-/// Complexity  build: O(n log n) for the order, 43 bytes a triangle; a visit: expected O(log n)
+/// Complexity  build: O(n log n), then about 47 bytes per triangle; a visit: expected O(log n)
 class TriangleTree {
  public:
-  /// All live elements, their boxes widened by `margin` on each side.
+  /// Takes in all live elements, their boxes widened by `margin` on each side.
   void build(const Mesh& mesh, double margin);
   bool empty() const { return order_.empty(); }
   void clear() { *this = {}; }
@@ -41,10 +41,10 @@ class TriangleTree {
   }
 
  private:
-  static constexpr std::size_t fanout = 4, max_levels = 17;  // 4^16 elements
+  static constexpr std::size_t fanout = 4, max_levels = 17;  // enough for 4^16 elements
   std::vector<TriangleId> order_;
-  std::vector<Box> boxes_;           // the elements' in order, then level by level
-  std::vector<std::size_t> levels_;  // where each level's boxes begin, and the end
+  std::vector<Box> boxes_;           // boxes of the elements in order_, then of the nodes, level by level
+  std::vector<std::size_t> levels_;  // where the boxes of each level begin, then where they end
 };
 
 }  // namespace pliant

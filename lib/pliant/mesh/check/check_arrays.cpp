@@ -1,5 +1,4 @@
-// lib/pliant/mesh/check/check_arrays.cpp: The well-formedness of a document's arrays: what every later question relies
-// on.
+// lib/pliant/mesh/check/check_arrays.cpp: are the arrays of a document well-formed? All other questions rely on it.
 #include <cmath>
 #include <string>
 

@@ -1,5 +1,4 @@
-// lib/pliant/mesh/check/check_structure.cpp: The structural invariants M1, M2, M4, M5, M6 of a document, from its
-// arrays alone: independent of class Mesh.
+// lib/pliant/mesh/check/check_structure.cpp: checks M1, M2, M4, M5, M6 from a document's arrays, without class Mesh.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -90,7 +89,7 @@ class Checker {
   }
   /// Every point is a corner, or one place inside one edge, or inside one triangle.
   void check_point_uses() {
-    // corner: 0; edge: 1 + the place among all half-edges' points; interior: -2 - triangle
+    // unused: -1; corner: 0; in an edge: 1 + the position among the inner points of all half-edges; interior: -2 - t
     std::vector<std::int64_t> use(data_.points.size(), -1);
     const std::int64_t inside = data_.degree - 1;
     for (TriangleId t = 0; t < triangles_; ++t)
@@ -99,7 +98,7 @@ class Checker {
         std::int64_t now = 0;
         if (k >= 3 && k < layout_.first_interior()) {
           const HalfEdgeId h = half_edge(t, static_cast<int>((k - 3) / inside)), g = twin(h);
-          const std::int64_t along = (k - 3) % inside;  // of the two half-edges, the lower one's count
+          const std::int64_t along = (k - 3) % inside;  // counted from the other end where the twin is the lower one
           now = 1 + (g != none && g < h ? g * inside + inside - 1 - along : h * inside + along);
         } else if (k >= 3) {
           now = -2 - static_cast<std::int64_t>(t);
@@ -115,7 +114,7 @@ class Checker {
       if (use[p] == -1) fault("M1", "/points/" + std::to_string(2 * p), "point " + std::to_string(p) + " is not used");
   }
 
-  /// M2: around each vertex one disk, or half-disks.
+  /// M2: the triangles around each vertex are one disk, or half-disks.
   void check_stars() {
     std::vector<std::int32_t> corners(data_.points.size()), in_open(data_.points.size());
     std::vector<HalfEdgeId> leaving(data_.points.size(), none);
@@ -146,8 +145,8 @@ class Checker {
     }
   }
 
-  /// How far a unit in the last place of the knots moves the ends of a span: knots that are large beside it round where
-  /// a period is added.
+  /// How far the ends of a span move if a knot changes by a unit in the last place of the largest knot. Knots that are
+  /// large beside the span are rounded so when a period is added.
   static double knot_rounding(const BSpline& spline, const std::vector<double>& breaks, int span) {
     const double knot = std::max(std::fabs(breaks.front()), std::fabs(breaks.back()));
     const double speed = std::max(length(spline.derivative(breaks[index(span)])),
@@ -157,7 +156,8 @@ class Checker {
 
   /// M4: constrained edges are the spans of their curves.
   void check_curves() {
-    // By the size of the boundary: a tangled element that reaches far out would hide what is wrong until it is mended.
+    // Relative to the boundary, not the mesh: a tangled element that reaches far out would make the mesh's tolerance
+    // so large that faults went unnoticed.
     const double tolerance = bounding_box(data_.boundary).tolerance();
     std::vector<std::vector<double>> breaks;
     std::vector<std::vector<char>> covered;
@@ -209,7 +209,7 @@ class Checker {
                 "span " + std::to_string(s) + " has no constrained edge");
   }
 
-  /// M5: constrained edges separate faces, nothing else does.
+  /// M5: faces are separated by constrained edges and by nothing else. Also finds edges that are listed twice (M4).
   void check_faces() {
     std::sort(constrained_.begin(), constrained_.end());
     auto next_constrained = constrained_.begin();
@@ -268,7 +268,7 @@ class Checker {
   std::vector<Fault> faults_;
   std::map<std::string, int> counts_;
   const HalfEdges& half_edges_;
-  std::vector<std::pair<HalfEdgeId, std::size_t>> constrained_;  // with the number of the constrained edge
+  std::vector<std::pair<HalfEdgeId, std::size_t>> constrained_;  // half-edge, number of its constrained edge
 };
 
 }  // namespace

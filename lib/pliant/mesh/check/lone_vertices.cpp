@@ -1,4 +1,4 @@
-// lib/pliant/mesh/check/lone_vertices.cpp: looks for mesh vertices at given places.
+// lib/pliant/mesh/check/lone_vertices.cpp: a search among the mesh's vertices, sorted by x.
 #include "pliant/mesh/check/lone_vertices.h"
 
 #include <algorithm>
@@ -11,8 +11,9 @@
 namespace pliant {
 namespace {
 
-constexpr double near = 1e-12;  // of the mesh's size
-constexpr double roundings = 4;
+// A mesh vertex is at a place if it is no farther off than the larger of these two.
+constexpr double near = 1e-12;   // times the mesh's size
+constexpr double roundings = 4;  // times the epsilon of doubles times the mesh's largest coordinate
 
 }  // namespace
 

@@ -1,5 +1,4 @@
-// lib/pliant/mesh/check/lone_vertices.h: vertices of the boundary complex in which no curve ends, as vertices of a
-// mesh.
+// lib/pliant/mesh/check/lone_vertices.h: the mesh vertices where the boundary has a vertex in which no curve ends.
 #pragma once
 #include <vector>
 
@@ -8,14 +7,14 @@
 namespace pliant {
 
 struct LoneVertex {
-  int vertex;     ///< of the boundary complex
-  PointId point;  ///< the mesh vertex at its place; none where there is none
+  int vertex;     ///< the vertex of the boundary complex
+  PointId point;  ///< the nearest mesh vertex at its place, or none
 };
 
-/// By their numbers in the complex. A mesh vertex is at its place if it is as near as M4 asks of curves: 1e-12 of the
-/// mesh's size, or the spacing of the doubles there.
+/// The vertices of the boundary complex in which no curve ends, ascending. A mesh vertex is at the place of one if they
+/// differ by at most 1e-12 of the mesh's size, or by four roundings of its largest coordinate if that is more.
 ///
-/// Complexity   O(curves) where there are none, else O(mesh * log)
+/// Complexity  O(curves) where there are none, else O(mesh * log)
 std::vector<LoneVertex> find_lone_vertices(const MeshData& data);
 
 }  // namespace pliant
