@@ -10,12 +10,11 @@
 #include <utility>
 #include <vector>
 
+#include "formats/report/pass_report_json.h"
 #include "pliant/boundary/boundary_complex.h"
 #include "pliant/boundary/fault.h"
-#include "pliant/improve/missed_goals.h"
 #include "pliant/mesh/mesh.h"
 #include "pliant/mesh/pass_report.h"
-#include "pliant/quality/quality_summary.h"
 
 namespace CLI {
 class App;
@@ -142,12 +141,6 @@ class Stopwatch {
 
  private:
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
-
-/// The mesh that a pass was given, and the one that it left.
-struct QualityChange {
-  QualitySummary before, after;
-  MissedGoals missed_before, missed_after;  ///< of the document's criteria
 };
 
 /// Where --report goes (a JSON line a frame, complete at once) and what -v prints.
