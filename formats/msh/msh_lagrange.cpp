@@ -40,15 +40,15 @@ class EdgeWalk {
       for (int e = 0; e < 3; ++e) {
         const PointId first = net[3 + e * (degree - 1)], last = net[3 + e * (degree - 1) + degree - 2];
         const PointId key = std::min(first, last);
-        const auto h = static_cast<HalfEdgeId>(3 * t + index(e));
+        const HalfEdgeId h = half_edge(static_cast<TriangleId>(t), e);
         if (uses_[index(key)] == unused_point) {
-          uses_[index(key)] = h;
+          uses_[index(key)] = as_int(h);
           if constexpr (fixed_degree == 2 && convert)
             convert_middle(key, net[e], net[(e + 1) % 3]);
           else
             take_edge<convert>(net, e, degree);
         } else if (uses_[index(key)] >= 0) {
-          pair(uses_[index(key)], h);
+          pair(HalfEdgeId{uses_[index(key)]}, h);
           uses_[index(key)] = paired;
         }
         // Not new in a broken mesh only: an edge that has its first point in common with others.
@@ -58,7 +58,7 @@ class EdgeWalk {
       if (fixed_degree != 2 && degree > 2) take_interior<convert>(net, degree);
     }
     for (const std::int32_t use : uses_)
-      if (use >= 0) findings_.open.push_back({use, none});
+      if (use >= 0) findings_.open.push_back({HalfEdgeId{use}, none});
   }
 
  private:
@@ -184,12 +184,12 @@ void take_nets(MshFile& file, MeshData& mesh) {
 
 std::vector<HalfEdgeId> twins_by_vertices(const MeshData& mesh) {
   const std::size_t size = index(net_size(mesh.degree)), half_edges = 3 * mesh.triangle_faces.size();
-  const auto ends = [&](std::size_t h) {
-    const PointId* net = &mesh.triangles[h / 3 * size];
-    return std::minmax({net[h % 3], net[(h + 1) % 3]});
+  const auto ends = [&](HalfEdgeId h) {
+    const PointId* net = &mesh.triangles[index(triangle_of(h)) * size];
+    return std::minmax({net[edge_of(h)], net[edge_of(next(h))]});
   };
   std::vector<std::uint32_t> first(mesh.points.size() + 1, 0);
-  for (std::size_t h = 0; h < half_edges; ++h) ++first[index(ends(h).first) + 1];
+  for (const HalfEdgeId h : mesh.half_edges()) ++first[index(ends(h).first) + 1];
   std::partial_sum(first.begin(), first.end(), first.begin());
   struct Entry {
     PointId high;
@@ -197,9 +197,9 @@ std::vector<HalfEdgeId> twins_by_vertices(const MeshData& mesh) {
   };
   std::vector<Entry> entries(half_edges);
   std::vector<std::uint32_t> fill(first.begin(), first.end() - 1);
-  for (std::size_t h = 0; h < half_edges; ++h) {
+  for (const HalfEdgeId h : mesh.half_edges()) {
     const auto [low, high] = ends(h);
-    entries[fill[index(low)]++] = {high, static_cast<HalfEdgeId>(h)};
+    entries[fill[index(low)]++] = {high, h};
   }
   std::vector<HalfEdgeId> twins(half_edges, none);
   for (std::size_t v = 0; v + 1 < first.size(); ++v) {
@@ -236,9 +236,8 @@ EdgeFindings pair_edges(MeshData& mesh, bool convert) {
   for (std::size_t t = 0; t < mesh.triangle_faces.size(); ++t)
     count_clockwise(mesh, &mesh.triangles[3 * t], t, findings);
   const std::vector<HalfEdgeId> twins = twins_by_vertices(mesh);
-  for (std::size_t k = 0; k < twins.size(); ++k) {
-    const auto h = static_cast<HalfEdgeId>(k);
-    const HalfEdgeId g = twins[k];
+  for (const HalfEdgeId h : mesh.half_edges()) {
+    const HalfEdgeId g = twins[index(h)];
     const FaceId mine = mesh.triangle_faces[index(triangle_of(h))];
     if (g == none)
       findings.open.push_back({h, none});

@@ -21,7 +21,7 @@ PointId corner(const MeshData& mesh, HalfEdgeId h) {
 }  // namespace
 
 bool MeshEdges::runs_forward(const MeshData& mesh, HalfEdgeId h) const {
-  const MeshEdge& edge = edges[static_cast<std::size_t>(of_half_edge[static_cast<std::size_t>(h)])];
+  const MeshEdge& edge = edges[static_cast<std::size_t>(of_half_edge[index(h)])];
   return edge.points.front() == corner(mesh, h);
 }
 

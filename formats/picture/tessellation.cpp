@@ -107,7 +107,7 @@ std::uint32_t Tessellator::vertex(TriangleId t, const std::vector<double>& rows,
     // On the edge opposite the corner whose weight is 0.
     const auto c = static_cast<std::size_t>(std::find(weight.begin(), weight.end(), 0) - weight.begin());
     const HalfEdgeId h = half_edge(t, static_cast<int>((c + 1) % 3));
-    const auto edge = static_cast<std::size_t>(edges_.of_half_edge[static_cast<std::size_t>(h)]);
+    const auto edge = static_cast<std::size_t>(edges_.of_half_edge[index(h)]);
     const int along = weight[edges_.runs_forward(mesh_, h) ? (c + 2) % 3 : (c + 1) % 3];
     key[1] = -1 - static_cast<std::int64_t>(edge);
     key[2] = along * cut_of_edge(edge) / n;

@@ -61,7 +61,7 @@ const Mesh& sample() {
 
 std::vector<HalfEdgeId> inner_edges(const Mesh& mesh) {
   std::vector<HalfEdgeId> edges;
-  for (HalfEdgeId h = 0; h < 3 * mesh.triangle_slots(); ++h)
+  for (const HalfEdgeId h : mesh.half_edges())
     if (mesh.twin(h) > h && !mesh.is_constrained(h)) edges.push_back(h);
   return edges;
 }
@@ -116,7 +116,7 @@ void split(benchmark::State& state) {
 
 void split_on_curve(benchmark::State& state) {
   std::vector<HalfEdgeId> edges;
-  for (HalfEdgeId h = 0; h < 3 * sample().triangle_slots(); ++h)
+  for (const HalfEdgeId h : sample().half_edges())
     if (sample().is_constrained(h)) edges.push_back(h);
   std::int64_t done = 0;
   for (auto _ : state) {

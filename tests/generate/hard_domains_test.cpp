@@ -268,7 +268,7 @@ TEST_CASE("sizes grow away from a small feature, and nothing is smaller than nee
     refine_all(mesh);
     // The hole's own edges are 0.7 of its radius long. From there on edges are as long as the distance asks for.
     double worst = HUGE_VAL;
-    for (HalfEdgeId h = 0; h < 3 * mesh.triangle_slots(); ++h) {
+    for (const HalfEdgeId h : mesh.half_edges()) {
       const double away = std::min(distance(mesh.point(mesh.origin(h)), {0.4, 0.55}),
                                    distance(mesh.point(mesh.target(h)), {0.4, 0.55}));
       worst = std::min(worst, edge_length(mesh, h) / away);

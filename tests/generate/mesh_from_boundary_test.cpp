@@ -103,7 +103,7 @@ TEST_CASE("a curve with the same face on both sides stays in the mesh", "[genera
   b.curves.push_back(open_curve(b, "slit", 4, 5, {{0.5, 0.9}}, 0, 0));
   const Mesh mesh = meshed(b);
   int constrained = 0;
-  for (HalfEdgeId h = 0; h < 3 * mesh.triangle_slots(); ++h)
+  for (const HalfEdgeId h : mesh.half_edges())
     constrained += mesh.is_constrained(h) && mesh.constraint_curve(mesh.constraint(h)) == 4;
   CHECK(constrained == 2 * mesh.spline(4).span_count());
 }

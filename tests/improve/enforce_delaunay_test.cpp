@@ -34,7 +34,7 @@ std::set<Corners> logical_triangles(const Mesh& mesh, std::vector<Point>& vertic
     }
   const auto name = [&](PointId p) { return number[static_cast<std::size_t>(p)]; };
   std::set<Corners> triangles;
-  for (HalfEdgeId h = 0; h < 3 * mesh.triangle_slots(); ++h) {
+  for (const HalfEdgeId h : mesh.half_edges()) {
     if (mesh.is_constrained(h) && mesh.twin(h) < h) segments.push_back({name(mesh.origin(h)), name(mesh.target(h))});
     if (edge_of(h) == 0) triangles.insert(rotated({name(mesh.origin(h)), name(mesh.target(h)), name(mesh.apex(h))}));
   }
@@ -44,7 +44,7 @@ std::set<Corners> logical_triangles(const Mesh& mesh, std::vector<Point>& vertic
 /// Unconstrained edges whose circle strictly contains the opposite vertex.
 int count_not_delaunay(const Mesh& mesh) {
   int count = 0;
-  for (HalfEdgeId h = 0; h < 3 * mesh.triangle_slots(); ++h) {
+  for (const HalfEdgeId h : mesh.half_edges()) {
     const HalfEdgeId g = mesh.twin(h);
     if (g < h || mesh.is_constrained(h)) continue;
     count += in_circle(mesh.point(mesh.origin(h)), mesh.point(mesh.target(h)), mesh.point(mesh.apex(h)),
@@ -122,7 +122,7 @@ TEST_CASE("each refusal is listed with the middle of an edge that still wants it
     for (const auto& [reason, times] : report.refusals) refusals += times;
     CHECK(refusals == static_cast<long>(report.refused_at.size()));
     std::vector<std::pair<double, double>> wanted, refused;
-    for (HalfEdgeId h = 0; h < 3 * mesh.triangle_slots(); ++h) {
+    for (const HalfEdgeId h : mesh.half_edges()) {
       if (mesh.twin(h) > h || !wants_flip(edge_state(mesh, h))) continue;
       std::vector<Point> points(static_cast<std::size_t>(degree) + 1);
       mesh.gather_edge_points(h, points);
@@ -252,7 +252,7 @@ TEST_CASE("every edge that the exact test finds is found, however large or thin 
   options.max_flips = 0;
   const PassReport report = enforce_delaunay(mesh, options);
   int wanted = 0, inverted = 0;
-  for (HalfEdgeId h = 0; h < 3 * mesh.triangle_slots(); ++h) {
+  for (const HalfEdgeId h : mesh.half_edges()) {
     if (mesh.twin(h) > h) continue;
     wanted += edge_state(mesh, h) == EdgeState::not_delaunay;
     inverted += edge_state(mesh, h) == EdgeState::inverted || edge_state(mesh, h) == EdgeState::turned_over;

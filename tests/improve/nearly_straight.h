@@ -20,7 +20,7 @@ inline double thickness(const Mesh& mesh, TriangleId t) {
 inline void lay_nearly_straight(Mesh& mesh, double bend, std::mt19937_64& random) {
   std::uniform_real_distribution<double> uniform(-bend, bend);
   const int p = mesh.degree();
-  for (HalfEdgeId h = 0; h < 3 * mesh.triangle_slots(); ++h) {
+  for (const HalfEdgeId h : mesh.half_edges()) {
     if (mesh.is_constrained(h) || mesh.twin(h) > h) continue;
     const Point a = mesh.point(mesh.origin(h)), along = mesh.point(mesh.target(h)) - a;
     const double side = uniform(random) < 0 ? -1 : 1;
@@ -69,7 +69,7 @@ inline Mesh nearly_straight(int degree, double bend, std::uint64_t seed) {
     if (!mesh.is_vertex(v)) continue;
     const Point old = mesh.point(v);
     mesh.set_point(v, old + 0.08 * Vector{uniform(random), uniform(random)});
-    for (HalfEdgeId h = 0; h < 3 * mesh.triangle_slots(); ++h) {
+    for (const HalfEdgeId h : mesh.half_edges()) {
       const bool is_at_v = mesh.origin(h) == v;
       if (is_at_v &&
           (thickness(mesh, triangle_of(h)) < thin || mesh.is_constrained(h) || mesh.is_constrained(previous(h))))

@@ -149,7 +149,7 @@ TEST_CASE("no more points are inserted than allowed, and none closer than the le
   options.goals.min_size = 0.05;
   const auto least_distance = [](const Mesh& of) {
     double least = HUGE_VAL;
-    for (HalfEdgeId h = 0; h < 3 * of.triangle_slots(); ++h)
+    for (const HalfEdgeId h : of.half_edges())
       least = std::min(least, distance(of.point(of.origin(h)), of.point(of.target(h))));
     return least;
   };

@@ -78,7 +78,7 @@ TEST_CASE("sharing the bend of the curves raises the least scaled Jacobian and m
     CHECK(check_mesh(mesh).empty());
     CHECK(least_scaled_jacobian(mesh) >= least);
     if (least < 0.9) CHECK(counts.levelled > 0);
-    for (HalfEdgeId h = 0; h < 3 * mesh.triangle_slots(); ++h)
+    for (const HalfEdgeId h : mesh.half_edges())
       for (int k = 0; k <= degree; ++k)
         if (k == 0 || mesh.is_constrained(h))
           CHECK(mesh.point(mesh.edge_point(h, k)) == before.point(before.edge_point(h, k)));

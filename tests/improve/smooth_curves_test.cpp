@@ -25,7 +25,7 @@ void displace(MeshData& data, double share, std::uint64_t seed) {
     Vector v{uniform(random), uniform(random)};
     data.points[static_cast<std::size_t>(p)] += share * length * v;
   };
-  for (HalfEdgeId h = 0; h < 3 * mesh.triangle_slots(); ++h) {
+  for (const HalfEdgeId h : mesh.half_edges()) {
     const double far = distance(mesh.point(mesh.origin(h)), mesh.point(mesh.target(h)));
     if (is_free(mesh, h) && h < mesh.twin(h))
       for (int k = 1; k < mesh.degree(); ++k) push(mesh.edge_point(h, k), far);
@@ -119,7 +119,7 @@ TEST_CASE("one displaced edge a neighborhood is always untangled", "[improve][pr
     std::mt19937_64 random(seed);
     std::uniform_real_distribution<double> uniform(-2, 2);
     std::vector<char> touched(data.triangle_faces.size(), 0);
-    for (HalfEdgeId h = 0; h < 3 * first.triangle_slots(); ++h) {
+    for (const HalfEdgeId h : first.half_edges()) {
       const TriangleId t = triangle_of(h);
       if (!is_free(first, h) || random() % 3) continue;
       const TriangleId u = triangle_of(first.twin(h));

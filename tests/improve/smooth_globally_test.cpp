@@ -27,7 +27,7 @@ Mesh refined(const Sample& sample, int degree, int elements) {
 /// Which points lie on curves.
 std::vector<char> on_curves(const Mesh& mesh) {
   std::vector<char> on(index(mesh.point_slots()), 0);
-  for (HalfEdgeId h = 0; h < 3 * mesh.triangle_slots(); ++h)
+  for (const HalfEdgeId h : mesh.half_edges())
     if (mesh.is_constrained(h))
       for (int k = 0; k <= mesh.degree(); ++k) on[index(mesh.edge_point(h, k))] = 1;
   return on;
@@ -195,8 +195,9 @@ TEST_CASE("a mesh in which every element is good is left bit for bit", "[improve
 TEST_CASE("elements beyond the rings around poor ones are left as they are", "[improve]") {
   const Mesh straight = grid(2, 16, 1);
   MeshData data = straight.to_data();
-  HalfEdgeId bent = 0;  // an inner edge near the lower left corner
-  while (straight.twin(bent) == none || straight.point(straight.origin(bent)).x > 2) ++bent;
+  HalfEdgeId bent = none;  // an inner edge near the lower left corner
+  for (const HalfEdgeId h : straight.half_edges())
+    if (bent == none && straight.twin(h) != none && straight.point(straight.origin(h)).x <= 2) bent = h;
   const PointId moved = straight.edge_point(bent, 1);
   data.points[index(moved)] += Vector{0.2, 0.15};
   Mesh mesh(data);

@@ -39,7 +39,7 @@ TEST_CASE("inner edges are straight afterwards, or cannot be without making an e
     CHECK(check_mesh(mesh).empty());
     CHECK(area_of(mesh) == Approx(area).epsilon(1e-12));
     long curved = 0;
-    for (HalfEdgeId h = 0; h < 3 * mesh.triangle_slots(); ++h) {
+    for (const HalfEdgeId h : mesh.half_edges()) {
       if (mesh.is_constrained(h) || mesh.twin(h) == none || h > mesh.twin(h)) continue;
       if (bend(mesh, h) <= 1e-13 * mesh.size()) continue;
       ++curved;

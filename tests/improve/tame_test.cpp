@@ -114,7 +114,8 @@ TEST_CASE("a fan of edges that bend round each other is straightened at once, an
   };
   REQUIRE(find_turned_over(mesh).empty());
   HalfEdgeId inner = none;
-  for (HalfEdgeId h = 0; h < 3 * mesh.triangle_slots() && inner == none; ++h) {
+  for (const HalfEdgeId h : mesh.half_edges()) {
+    if (inner != none) break;
     bool is_inside = !mesh.is_constrained(h);
     for (const HalfEdgeId side : {next(h), previous(h)}) is_inside = is_inside && !mesh.is_constrained(side);
     if (is_inside && bends(mesh, h)) inner = h;

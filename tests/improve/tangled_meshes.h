@@ -25,7 +25,7 @@ template <class Where>
 MeshData moved(const Mesh& mesh, bool vertices, const Where& where) {
   MeshData data = mesh.to_data();
   std::vector<char> on_curve(data.points.size(), 0);
-  for (HalfEdgeId h = 0; h < 3 * mesh.triangle_slots(); ++h)
+  for (const HalfEdgeId h : mesh.half_edges())
     if (mesh.is_constrained(h))
       for (int k = 0; k <= mesh.degree(); ++k) on_curve[static_cast<std::size_t>(mesh.edge_point(h, k))] = 1;
   for (std::size_t p = 0; p < data.points.size(); ++p)

@@ -54,7 +54,7 @@ void check_boundary_kept(const Mesh& mesh, const Mesh& was) {
     CHECK(mesh.spline(c).points() == was.spline(c).points());
   std::vector<Point> kept, before;
   const auto points_on_curves = [](const Mesh& m, std::vector<Point>& points) {
-    for (HalfEdgeId h = 0; h < 3 * m.triangle_slots(); ++h)
+    for (const HalfEdgeId h : m.half_edges())
       for (int k = 0; m.is_constrained(h) && k <= m.degree(); ++k) points.push_back(m.point(m.edge_point(h, k)));
     std::sort(points.begin(), points.end(),
               [](const Point& p, const Point& q) { return std::pair(p.x, p.y) < std::pair(q.x, q.y); });

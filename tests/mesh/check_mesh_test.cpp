@@ -197,7 +197,7 @@ TEST_CASE("broken adjacency of a live mesh is found", "[mesh]") {
       {"a lost twin", [](Mesh& mesh) { mesh.link(mesh.twin(half_edge(0, 1)), none); }},
       {"a lost constraint",
        [](Mesh& mesh) {
-         for (HalfEdgeId h = 0; h < 3 * mesh.triangle_slots(); ++h)
+         for (const HalfEdgeId h : mesh.half_edges())
            if (mesh.is_constrained(h)) return mesh.set_constraint(h, none);
        }},
       {"a free point in a net", [](Mesh& mesh) { mesh.free_point(mesh.net(4)[0]); }},

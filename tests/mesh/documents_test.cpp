@@ -101,7 +101,7 @@ TEST_CASE("renumbering leaves the same elements and fields, and neighbours near 
   CHECK(mesh.to_data().constrained_edges.size() == renumbered.to_data().constrained_edges.size());
   const auto apart = [](const Mesh& of) {
     double sum = 0;
-    for (HalfEdgeId h = 0; h < 3 * of.triangle_slots(); ++h)
+    for (const HalfEdgeId h : of.half_edges())
       if (of.twin(h) != none) sum += std::abs(triangle_of(of.twin(h)) - triangle_of(h));
     return sum;
   };

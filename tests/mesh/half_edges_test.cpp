@@ -63,7 +63,7 @@ TEST_CASE("half-edges are paired alike by inner points and by vertices", "[mesh]
   const HalfEdges fast(data), slow = HalfEdges::by_vertices(data);
   CHECK(fast.is_sound());
   CHECK_FALSE(slow.is_sound());
-  for (HalfEdgeId h = 0; h < static_cast<HalfEdgeId>(3 * data.triangle_faces.size()); ++h) {
+  for (const HalfEdgeId h : data.half_edges()) {
     CHECK(fast.twin(h) == slow.twin(h));
     CHECK(fast.is_border(h) == slow.is_border(h));
   }

@@ -124,7 +124,7 @@ class OuterPolygon {
   explicit OuterPolygon(const Mesh& mesh) {
     constexpr int parts = 64;
     std::vector<Point> polygon(index(mesh.degree()) + 1);
-    for (HalfEdgeId h = 0; h < 3 * mesh.triangle_slots(); ++h) {
+    for (const HalfEdgeId h : mesh.half_edges()) {
       if (mesh.twin(h) != none) continue;
       mesh.gather_edge_points(h, polygon);
       double bend = 0;
@@ -282,7 +282,7 @@ TEST_CASE("a point just beyond the outer boundary is outside, just before it ins
     CAPTURE(degree, sample.name);
     Random random(degree);
     Locator locator(mesh);
-    for (HalfEdgeId h = 0; h < 3 * mesh.triangle_slots(); ++h) {
+    for (const HalfEdgeId h : mesh.half_edges()) {
       if (mesh.twin(h) != none) continue;
       const auto on_edge = [&](double s) {
         Barycentric xi{0, 0, 0};
@@ -314,7 +314,7 @@ TEST_CASE("elements are found where triangles of the logical mesh are inverted",
       inverted +=
           orient2d(mesh.point(mesh.corner(t, 0)), mesh.point(mesh.corner(t, 1)), mesh.point(mesh.corner(t, 2))) <= 0;
       for (const Barycentric& xi : samples::lattice(6))
-        for (const TriangleId hint : {t, 0, none}) {
+        for (const TriangleId hint : {t, 0, TriangleId{none}}) {
           CAPTURE(seed, t, xi, hint);
           check_location(mesh, image(mesh, t, xi), locator.find(image(mesh, t, xi), hint));
         }
@@ -359,7 +359,7 @@ TEST_CASE("at a vertex where parts of the mesh touch the least of all elements i
   builder.add_triangle(v[0], v[1], v[2], 0);
   builder.add_triangle(v[0], v[3], v[4], 0);
   const Mesh mesh(std::move(builder.data()));
-  for (const TriangleId hint : {0, 1, none}) {
+  for (const TriangleId hint : {0, 1, TriangleId{none}}) {
     const auto found = Locator(mesh).find({0, 0}, hint);
     check_location(mesh, {0, 0}, found);
     CHECK(found->triangle == 0);

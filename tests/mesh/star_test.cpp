@@ -73,7 +73,7 @@ TEST_CASE("a half-edge is found by its ends if there is one", "[mesh]") {
   for (const PointId a : vertices)
     for (const PointId b : vertices) {
       HalfEdgeId wanted = none;
-      for (HalfEdgeId h = 0; h < 3 * mesh.triangle_slots(); ++h)
+      for (const HalfEdgeId h : mesh.half_edges())
         if (mesh.is_alive(triangle_of(h)) && mesh.origin(h) == a && mesh.target(h) == b) wanted = h;
       if (find_half_edge(mesh, a, b) != wanted) FAIL_CHECK("from " << a << " to " << b);
     }

@@ -18,7 +18,7 @@ class RandomChanges {
   void change() {
     const PointId p = below(mesh_.point_slots());
     const TriangleId t = below(mesh_.triangle_slots());
-    const HalfEdgeId h = below(3 * mesh_.triangle_slots());
+    const HalfEdgeId h{below(3 * mesh_.triangle_slots())};
     const bool alive = mesh_.is_point_alive(p);
     switch (random_() % 17) {
       case 0:
@@ -46,7 +46,7 @@ class RandomChanges {
       case 8:
         return mesh_.set_net_point(t, static_cast<int>(random_() % static_cast<unsigned>(mesh_.net_size())), p);
       case 9:
-        return mesh_.link(h, random_() % 3 ? below(3 * mesh_.triangle_slots()) : none);
+        return mesh_.link(h, random_() % 3 ? HalfEdgeId{below(3 * mesh_.triangle_slots())} : none);
       case 10:
         return mesh_.set_constraint(h, none);
       case 11:
@@ -58,7 +58,7 @@ class RandomChanges {
       case 13:
         if (mesh_.is_constrained(h)) {
           const ConstraintId c = mesh_.constraint(h);
-          for (HalfEdgeId g = 0; g < 3 * mesh_.triangle_slots(); ++g)
+          for (const HalfEdgeId g : mesh_.half_edges())
             if (mesh_.constraint(g) == c) mesh_.set_constraint(g, none);
           mesh_.free_constraint(c);
         }

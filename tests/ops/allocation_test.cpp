@@ -28,7 +28,7 @@ TEST_CASE("operations that leave the curves alone allocate nothing in the steady
       allocated[kind] += allocations - before;
       ++done[kind];
     };
-    for (HalfEdgeId h = 0; h < 3 * mesh.triangle_slots(); ++h) {
+    for (const HalfEdgeId h : mesh.half_edges()) {
       if (!mesh.is_alive(triangle_of(h)) || mesh.is_constrained(h)) continue;
       InsertResult inserted;
       count(0, [&] {
@@ -45,7 +45,7 @@ TEST_CASE("operations that leave the curves alone allocate nothing in the steady
       if (inserted.outcome == Outcome::done)
         count(1, [&] { return remove_inner_vertex(mesh, inserted.vertex) == Outcome::done; });
     }
-    for (HalfEdgeId h = 0; h < 3 * mesh.triangle_slots(); ++h) {
+    for (const HalfEdgeId h : mesh.half_edges()) {
       if (!mesh.is_alive(triangle_of(h)) || mesh.is_constrained(h)) continue;
       // These change the mesh: taken back, so that every round meets the same one.
       Transaction undone(mesh);

@@ -24,7 +24,7 @@ inline void bend_inner_edges(Mesh& mesh, std::mt19937_64& random, int rounds = 4
   std::normal_distribution<double> normal;
   const int p = mesh.degree();
   for (int round = 0; round < rounds; ++round)
-    for (HalfEdgeId h = 0; h < 3 * mesh.triangle_slots(); ++h) {
+    for (const HalfEdgeId h : mesh.half_edges()) {
       if (!mesh.is_alive(triangle_of(h)) || mesh.is_constrained(h) || mesh.twin(h) == none) continue;
       const double length = distance(mesh.point(mesh.origin(h)), mesh.point(mesh.target(h)));
       for (int k = 1; k < p; ++k) {

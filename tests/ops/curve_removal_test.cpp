@@ -26,7 +26,7 @@ double sampled_distance(const BSpline& a, const BSpline& b) {
 /// Vertices inside curves, in an order by chance.
 std::vector<PointId> curve_vertices(const Mesh& mesh, std::mt19937_64& random) {
   std::vector<PointId> vertices;
-  for (HalfEdgeId h = 0; h < 3 * mesh.triangle_slots(); ++h)
+  for (const HalfEdgeId h : mesh.half_edges())
     if (mesh.is_alive(triangle_of(h)) && mesh.is_constrained(h))
       vertices.push_back(mesh.constraint_first(mesh.constraint(h)));
   std::sort(vertices.begin(), vertices.end());
@@ -36,7 +36,7 @@ std::vector<PointId> curve_vertices(const Mesh& mesh, std::mt19937_64& random) {
 }
 
 CurveId curve_at(const Mesh& mesh, PointId v) {
-  for (HalfEdgeId h = 0; h < 3 * mesh.triangle_slots(); ++h)
+  for (const HalfEdgeId h : mesh.half_edges())
     if (mesh.is_alive(triangle_of(h)) && mesh.is_constrained(h) && mesh.constraint_first(mesh.constraint(h)) == v)
       return mesh.constraint_curve(mesh.constraint(h));
   return none;
@@ -47,7 +47,7 @@ Mesh with_many_knots(const Domain& domain, int degree) {
   Mesh mesh = carried(domain, degree);
   std::mt19937_64 random(5);
   std::uniform_real_distribution<double> uniform(0.3, 0.7);
-  for (HalfEdgeId h = 0, n = 3 * mesh.triangle_slots(); h < n; ++h)
+  for (const HalfEdgeId h : mesh.half_edges())
     if (mesh.is_constrained(h) && (mesh.twin(h) == none || mesh.twin(h) > h))
       REQUIRE(split_edge(mesh, h, uniform(random)).outcome == Outcome::done);
   return mesh;

@@ -108,7 +108,7 @@ TEST_CASE("a flip of strongly curved elements succeeds wherever a search finds a
       }
       bend_inner_edges(bent, random);
       REQUIRE(find_invalid(bent).empty());
-      for (HalfEdgeId h = 0; h < 3 * bent.triangle_slots(); ++h) {
+      for (const HalfEdgeId h : bent.half_edges()) {
         if (bent.twin(h) == none || bent.is_constrained(h) || h > bent.twin(h)) continue;
         // Two edges on curves in one element would cover a corner of the boundary: refused for that.
         const HalfEdgeId g = bent.twin(h);

@@ -133,7 +133,7 @@ TEST_CASE("random operations on both sides of an interface, and on it, keep ever
           others += done = grow && insert_point(mesh, t, {0.3, 0.45, 0.25}).outcome == Outcome::done;
           break;
         case 1: {
-          const HalfEdgeId on = 3 * t;
+          const HalfEdgeId on = half_edge(t, 0);
           const HalfEdgeId edge = mesh.is_constrained(on) ? on : mesh.is_constrained(next(on)) ? next(on) : h;
           splits += done = grow && split_edge(mesh, edge, uniform(random)).outcome == Outcome::done;
           break;
@@ -177,7 +177,7 @@ TEST_CASE("splits of an interface undone give back its fields, of either face", 
   Mesh mesh = carried_interface(degree);
   const Mesh before = mesh;
   int on_interface = 0;
-  for (HalfEdgeId h = 0; h < 3 * before.triangle_slots(); ++h) {
+  for (const HalfEdgeId h : before.half_edges()) {
     if (!mesh.is_constrained(h)) continue;
     on_interface += mesh.twin(h) != none;
     const InsertResult inserted = split_edge(mesh, h, 0.375);
@@ -222,7 +222,7 @@ TEST_CASE("operations go on at a cusp, whose corner is forgiven", "[ops]") {
   const auto at_cusp = [&](HalfEdgeId h) { return mesh.is_constrained(h) && mesh.point(mesh.origin(h)) == cusp; };
   int splits = 0, inserts = 0;
   for (int round = 0; round < 3; ++round)
-    for (HalfEdgeId h = 0; h < 3 * mesh.triangle_slots(); ++h) {
+    for (const HalfEdgeId h : mesh.half_edges()) {
       if (!at_cusp(h)) continue;
       splits += split_edge(mesh, h, 0.4).outcome == Outcome::done;
       inserts += insert_point(mesh, triangle_of(h), {0.3, 0.4, 0.3}).outcome == Outcome::done;

@@ -65,7 +65,7 @@ TEST_CASE("removing an inserted vertex gives back geometry and field", "[ops]") 
     CHECK(remove_inner_vertex(mesh, inserted.vertex) == Outcome::done);
   }
   mesh.compact();
-  for (HalfEdgeId h = 0; h < 36; ++h) {
+  for (const HalfEdgeId h : HalfEdgeRange(12)) {
     if (!mesh.is_alive(triangle_of(h))) continue;
     const bool on_curve = mesh.is_constrained(h);
     const InsertResult inserted = split_edge(mesh, h, 0.375);

@@ -23,7 +23,7 @@ struct Snapshot {
       for (int e = 0; e < 3; ++e) {
         const HalfEdgeId h = half_edge(t, e);
         const ConstraintId c = mesh.constraint(h);
-        numbers.insert(numbers.end(), {mesh.twin(h), c});
+        numbers.insert(numbers.end(), {as_int(mesh.twin(h)), c});
         if (c == none || !mesh.is_alive(t)) continue;
         numbers.insert(numbers.end(), {mesh.constraint_curve(c), mesh.constraint_first(c)});
         values.push_back(mesh.constraint_start(c));
@@ -34,7 +34,7 @@ struct Snapshot {
             numbers.push_back(static_cast<std::int32_t>(mesh.value_index(k, p, mesh.face(t))));
     }
     for (PointId p = 0; p < mesh.point_slots(); ++p) {
-      numbers.push_back(mesh.vertex_half_edge(p));
+      numbers.push_back(as_int(mesh.vertex_half_edge(p)));
       values.insert(values.end(), {mesh.point(p).x, mesh.point(p).y});
     }
     for (const Field& field : mesh.fields()) values.insert(values.end(), field.values.begin(), field.values.end());

@@ -16,7 +16,7 @@ CarriedVelocity::CarriedVelocity(const Mesh& mesh, int field)
     spans_.emplace_back(breaks_.back().size() - 1, none);
   }
   vertices_.assign(boundary.vertices.size(), none);
-  for (HalfEdgeId h = 0; h < 3 * mesh.triangle_slots(); ++h) {
+  for (const HalfEdgeId h : mesh.half_edges()) {
     if (!mesh.is_alive(triangle_of(h)) || !mesh.is_constrained(h)) continue;
     const ConstraintId constraint = mesh.constraint(h);
     const CurveId c = mesh.constraint_curve(constraint);

@@ -10,7 +10,7 @@ std::vector<Point> move_elements(const Mesh& mesh, const MovedBoundary& boundary
   std::vector<Point> points(slots);
   std::vector<Point> polygon(static_cast<std::size_t>(mesh.degree()) + 1);
   for (std::size_t p = 0; p < slots; ++p) points[p] = mesh.point(static_cast<PointId>(p));
-  for (HalfEdgeId h = 0; h < 3 * mesh.triangle_slots(); ++h) {
+  for (const HalfEdgeId h : mesh.half_edges()) {
     // An edge of two elements is extracted once.
     if (!mesh.is_alive(triangle_of(h)) || !mesh.is_constrained(h) || (mesh.twin(h) != none && mesh.twin(h) < h))
       continue;

@@ -116,7 +116,7 @@ void Replacement::number_vertices() {
   points_.assign(index(piece_.point_slots()), none);
   for (const LoneVertex& lone : piece_.lone_vertices())
     if (lone.point != none) points_[index(lone.point)] = boundary_.vertices[index(lone.vertex)];
-  for (HalfEdgeId h = 0; h < 3 * piece_.triangle_slots(); ++h) {
+  for (const HalfEdgeId h : piece_.half_edges()) {
     if (!piece_.is_constrained(h)) continue;
     const auto [curve, k] = span_of(h);
     const bool forward = piece_.runs_forward(h);
@@ -134,7 +134,7 @@ bool Replacement::stays(PointId a, PointId b) const {
 
 /// A new inner edge would join two vertices that another edge joins.
 bool Replacement::joins_twice() const {
-  for (HalfEdgeId h = 0; h < 3 * piece_.triangle_slots(); ++h) {
+  for (const HalfEdgeId h : piece_.half_edges()) {
     if (piece_.is_constrained(h) || piece_.twin(h) < h) continue;
     const PointId a = points_[index(piece_.origin(h))], b = points_[index(piece_.target(h))];
     if (a != none && b != none && stays(a, b)) return true;
@@ -182,7 +182,7 @@ Replacement::BorderPiece& Replacement::piece_at(HalfEdgeId h) {
 
 void Replacement::build() {
   const int p = mesh_.degree();
-  for (HalfEdgeId h = 0; h < 3 * piece_.triangle_slots(); ++h) {
+  for (const HalfEdgeId h : piece_.half_edges()) {
     if (!piece_.is_constrained(h)) continue;
     const EdgePoints& edge = piece_at(h).side.points;
     const bool forward = piece_.runs_forward(h);
@@ -201,7 +201,7 @@ void Replacement::build() {
     for (int c = 0; c < 3; ++c)
       mesh_.set_vertex_half_edge(points_[index(piece_.corner(t, c))], half_edge(now_.back(), c));
   }
-  for (HalfEdgeId h = 0; h < 3 * piece_.triangle_slots(); ++h) {
+  for (const HalfEdgeId h : piece_.half_edges()) {
     const HalfEdgeId own = half_edge(now_[index(triangle_of(h))], edge_of(h));
     if (piece_.is_constrained(h)) {
       BorderPiece& beside = piece_at(h);

@@ -96,7 +96,7 @@ class Coarsener {
   /// At each vertex.
   std::vector<double> longest_edges() const {
     std::vector<double> longest(index(mesh_.point_slots()), 0);
-    for (HalfEdgeId h = 0; h < 3 * mesh_.triangle_slots(); ++h) {
+    for (const HalfEdgeId h : mesh_.half_edges()) {
       if (!mesh_.is_alive(triangle_of(h))) continue;
       if (mesh_.twin(h) > h) continue;  // each edge once
       const double length = edge_length(h);

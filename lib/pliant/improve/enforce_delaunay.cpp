@@ -20,9 +20,10 @@ void fetch_for([[maybe_unused]] const Mesh& mesh, [[maybe_unused]] TriangleId t,
 #ifdef __GNUC__
   constexpr TriangleId near = 16;
   if (t + near >= mesh.triangle_slots() || !mesh.is_alive(t + near)) return;
-  for (HalfEdgeId h = half_edge(t + near, 0); h < half_edge(t + near + 1, 0); ++h) {
+  for (int e = 0; e < 3; ++e) {
+    const HalfEdgeId h = half_edge(t + near, e);
     __builtin_prefetch(&mesh.point(mesh.origin(h)));
-    if (mesh.twin(h) != none) __builtin_prefetch(&of_half_edges[static_cast<std::size_t>(mesh.twin(h))]);
+    if (mesh.twin(h) != none) __builtin_prefetch(&of_half_edges[index(mesh.twin(h))]);
   }
 #endif
 }
@@ -62,9 +63,9 @@ void for_each_doubtful(const Mesh& mesh, const Use& use) {
     const std::array<float, 3> opposite = least_cotangents(mesh, t);
     for (int e = 0; e < 3; ++e) {
       const HalfEdgeId h = half_edge(t, e), g = mesh.twin(h);
-      const float cotangent = cotangents[static_cast<std::size_t>(h)] = opposite[static_cast<std::size_t>(e)];
+      const float cotangent = cotangents[index(h)] = opposite[static_cast<std::size_t>(e)];
       if (g == none || g > h || mesh.is_constrained(h)) continue;
-      if (cotangent + cotangents[static_cast<std::size_t>(g)] > positive) continue;
+      if (cotangent + cotangents[index(g)] > positive) continue;
       use(h, edge_state(mesh, h));
     }
   }

@@ -123,7 +123,7 @@ double least_turning(const Mesh& mesh, HalfEdgeId h) {
 
 LeastCount by_turning(const Mesh& mesh, const QualityGoals& goals) {
   std::vector<double> turning(mesh.boundary().curves.size(), 0);
-  for (HalfEdgeId h = 0; h < 3 * mesh.triangle_slots(); ++h)
+  for (const HalfEdgeId h : mesh.half_edges())
     if (mesh.is_alive(triangle_of(h)) && mesh.is_constrained(h) && mesh.twin(h) < h)
       turning[index(mesh.constraint_curve(mesh.constraint(h)))] += least_turning(mesh, h);
   LeastCount all;

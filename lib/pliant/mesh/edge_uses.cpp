@@ -36,15 +36,14 @@ void sort_bucket(std::uint64_t* first, std::uint64_t* last) {
 
 EdgeUses edge_uses(const MeshData& data) {
   const auto n = static_cast<std::size_t>(net_size(data.degree));
-  const auto half_edges = static_cast<HalfEdgeId>(3 * data.triangle_faces.size());
   std::vector<std::int32_t> bucket(data.points.size() + 1);  // first the ends of the buckets, then their starts
-  for (HalfEdgeId h = 0; h < half_edges; ++h) ++bucket[static_cast<std::size_t>(ends_of(data, n, h).low)];
+  for (const HalfEdgeId h : data.half_edges()) ++bucket[static_cast<std::size_t>(ends_of(data, n, h).low)];
   std::partial_sum(bucket.begin(), bucket.end(), bucket.begin());
-  std::vector<std::uint64_t> keys(static_cast<std::size_t>(half_edges));  // higher vertex, half-edge
-  for (HalfEdgeId h = 0; h < half_edges; ++h) {
+  std::vector<std::uint64_t> keys(3 * data.triangle_faces.size());  // higher vertex, half-edge
+  for (const HalfEdgeId h : data.half_edges()) {
     const auto [low, high] = ends_of(data, n, h);
     const auto place = static_cast<std::size_t>(--bucket[static_cast<std::size_t>(low)]);
-    keys[place] = static_cast<std::uint64_t>(high) << 32 | static_cast<std::uint64_t>(h);
+    keys[place] = static_cast<std::uint64_t>(high) << 32 | index(h);
   }
   EdgeUses uses;
   uses.half_edges.reserve(keys.size());
@@ -60,7 +59,7 @@ EdgeUses edge_uses(const MeshData& data) {
       uses.half_edges.push_back(static_cast<HalfEdgeId>(keys[k] & 0xffffffffU));
     }
   }
-  uses.starts.push_back(half_edges);
+  uses.starts.push_back(static_cast<std::int32_t>(keys.size()));
   return uses;
 }
 

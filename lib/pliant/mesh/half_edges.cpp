@@ -15,9 +15,12 @@ namespace {
 /// What a point is used for. The use of a point inside an edge is the half-edge of the first triangle met there; once
 /// the second triangle has been met, the use is `paired` of the second half-edge, so that a third one is noticed
 /// without a look at the twins.
-constexpr HalfEdgeId unused = -1, corner = -2, inside_triangle = -3;
-constexpr HalfEdgeId paired(HalfEdgeId h) { return -4 - h; }
-constexpr HalfEdgeId half_edge_of(HalfEdgeId use) { return use >= 0 ? use : use <= -4 ? paired(use) : none; }
+constexpr std::int32_t unused = -1, corner = -2, inside_triangle = -3;
+constexpr std::int32_t paired(HalfEdgeId h) { return -4 - as_int(h); }
+constexpr HalfEdgeId half_edge_of(std::int32_t use) {
+  if (use >= 0) return HalfEdgeId{use};
+  return use <= paired(HalfEdgeId{0}) ? HalfEdgeId{paired(HalfEdgeId{use})} : none;
+}
 
 /// True if two of the ids are equal. Most vertices have three neighbours with higher numbers, so few ids are usual, and
 /// are compared pair by pair.
@@ -38,7 +41,7 @@ HalfEdges::HalfEdges(const MeshData& data) : HalfEdges(data, data.degree == 1) {
 HalfEdges HalfEdges::by_vertices(const MeshData& data) { return HalfEdges(data, true); }
 
 HalfEdges::HalfEdges(const MeshData& data, bool by_vertices)
-    : data_(&data), n_(index(net_size(data.degree))), count_(static_cast<HalfEdgeId>(3 * data.triangle_faces.size())) {
+    : data_(&data), n_(index(net_size(data.degree))), triangles_(static_cast<TriangleId>(data.triangle_faces.size())) {
   is_sound_ = !by_vertices && pair_by_inner_points() && is_each_star_simple() && is_each_edge_the_only_one();
   if (!is_sound_) pair_by_vertices();
 }
@@ -52,10 +55,11 @@ void HalfEdges::fetch_for([[maybe_unused]] TriangleId t) const {
   const auto use_in = [&](TriangleId u, int e) {
     return &use_[index(data_->triangles[index(u) * n_ + 3 + index(e * inner)])];
   };
-  for (int e = 0; 3 * (t + far) < count_ && e < 3; ++e) __builtin_prefetch(use_in(t + far, e), 1);
-  for (int e = 0; 3 * (t + near) < count_ && e < 3; ++e) {
-    const HalfEdgeId g = *use_in(t + near, e);
-    if (g < 0) continue;
+  for (int e = 0; t + far < triangles_ && e < 3; ++e) __builtin_prefetch(use_in(t + far, e), 1);
+  for (int e = 0; t + near < triangles_ && e < 3; ++e) {
+    const std::int32_t use = *use_in(t + near, e);
+    if (use < 0) continue;
+    const HalfEdgeId g{use};
     __builtin_prefetch(&data_->triangles[index(triangle_of(g)) * n_]);
     __builtin_prefetch(&twins_[index(g)], 1);
     __builtin_prefetch(&data_->triangle_faces[index(triangle_of(g))]);
@@ -67,26 +71,27 @@ void HalfEdges::fetch_for([[maybe_unused]] TriangleId t) const {
 bool HalfEdges::pair_by_inner_points() {
   const NetLayout& layout = NetLayout::of(data_->degree);
   const int inner = data_->degree - 1;
-  twins_.assign(index(count_), none);
+  twins_.assign(3 * index(triangles_), none);
   use_.assign(data_->points.size(), unused);
-  borders_.assign(index(count_), false);
-  for (TriangleId t = 0; 3 * t < count_; ++t) {
+  borders_.assign(3 * index(triangles_), false);
+  for (TriangleId t = 0; t < triangles_; ++t) {
     fetch_for(t);
     const PointId* const net = &data_->triangles[index(t) * n_];
     for (int e = 0; e < 3; ++e) {
       const PointId from = net[e], to = net[e == 2 ? 0 : e + 1];
-      HalfEdgeId& of_corner = use_[index(from)];
+      std::int32_t& of_corner = use_[index(from)];
       if (from == to || (of_corner != unused && of_corner != corner)) return false;
       of_corner = corner;
       const HalfEdgeId h = half_edge(t, e);
       const PointId* const points = net + 3 + e * inner;
-      const HalfEdgeId g = use_[index(points[0])];
+      const std::int32_t use = use_[index(points[0])];
       for (int k = 0; k < inner; ++k) {
-        if (use_[index(points[k])] != g) return false;
-        use_[index(points[k])] = g == unused ? h : paired(h);
+        if (use_[index(points[k])] != use) return false;
+        use_[index(points[k])] = use == unused ? as_int(h) : paired(h);
       }
-      if (g == unused) continue;
-      if (g < 0) return false;
+      if (use == unused) continue;
+      if (use < 0) return false;
+      const HalfEdgeId g{use};
       const PointId* const others = &data_->triangles[index(triangle_of(g)) * n_] + 3 + edge_of(g) * inner;
       if (origin(g) != to || target(g) != from) return false;
       for (int k = 0; k < inner; ++k)
@@ -97,12 +102,12 @@ bool HalfEdges::pair_by_inner_points() {
         borders_[index(g)] = borders_[index(h)] = true;
     }
     for (int k = layout.first_interior(); k < layout.size(); ++k) {
-      HalfEdgeId& of_point = use_[index(net[k])];
+      std::int32_t& of_point = use_[index(net[k])];
       if (of_point != unused) return false;
       of_point = inside_triangle;
     }
   }
-  for (HalfEdgeId h = 0; h < count_; ++h)
+  for (const HalfEdgeId h : data_->half_edges())
     if (twins_[index(h)] == none) borders_[index(h)] = true;
   vertices_ = std::ranges::count(use_, corner);
   return std::ranges::find(use_, unused) == use_.end();
@@ -115,16 +120,15 @@ bool HalfEdges::pair_by_inner_points() {
 /// number of vertices, each vertex counts once (and the genus is 0). So the loops of the outer boundary have to be
 /// walked along, but no star around its vertex.
 bool HalfEdges::is_each_star_simple() const {
-  const TriangleId triangles = count_ / 3;
-  std::vector<TriangleId> parent(index(triangles));  // a forest whose trees are the components
+  std::vector<TriangleId> parent(index(triangles_));  // a forest whose trees are the components
   std::iota(parent.begin(), parent.end(), 0);
   const auto root = [&parent](TriangleId t) {
     while (parent[index(t)] != t) t = parent[index(t)] = parent[index(parent[index(t)])];
     return t;
   };
-  std::int64_t components = triangles, twice_edges = 0, loops = 0;
-  std::vector<bool> is_passed(index(count_));
-  for (HalfEdgeId h = 0; h < count_; ++h) {
+  std::int64_t components = triangles_, twice_edges = 0, loops = 0;
+  std::vector<bool> is_passed(3 * index(triangles_));
+  for (const HalfEdgeId h : data_->half_edges()) {
     const HalfEdgeId g = twins_[index(h)];
     twice_edges += g == none ? 2 : 1;
     if (g > h) {
@@ -139,7 +143,7 @@ bool HalfEdges::is_each_star_simple() const {
       for (b = next(b); twins_[index(b)] != none;) b = next(twins_[index(b)]);
     }
   }
-  return 2 * components - loops + twice_edges / 2 - triangles == vertices_;
+  return 2 * components - loops + twice_edges / 2 - triangles_ == vertices_;
 }
 
 /// True if no two edges have the same two ends. Edges are sorted into buckets by their lower end.
@@ -148,14 +152,14 @@ bool HalfEdges::is_each_edge_the_only_one() const {
   const auto is_counted = [this](HalfEdgeId h) { return twin(h) == none || h < twin(h); };
   std::vector<std::uint32_t> bucket(data_->points.size() + 1);
   std::uint32_t edges = 0;
-  for (HalfEdgeId h = 0; h < count_; ++h) {
+  for (const HalfEdgeId h : data_->half_edges()) {
     if (!is_counted(h)) continue;
     ++edges;
     ++bucket[index(ends(h).first)];
   }
   std::partial_sum(bucket.begin(), bucket.end(), bucket.begin());
   std::vector<PointId> higher(edges);
-  for (HalfEdgeId h = 0; h < count_; ++h)
+  for (const HalfEdgeId h : data_->half_edges())
     if (is_counted(h)) higher[index(--bucket[index(ends(h).first)])] = ends(h).second;
   for (std::size_t v = 0; v + 1 < bucket.size(); ++v)
     if (has_duplicates(std::span(higher).subspan(bucket[v], bucket[v + 1] - bucket[v]))) return false;
@@ -164,7 +168,7 @@ bool HalfEdges::is_each_edge_the_only_one() const {
 
 void HalfEdges::pair_by_vertices() {
   use_.clear();
-  twins_.assign(index(count_), none);
+  twins_.assign(3 * index(triangles_), none);
   for (std::size_t e = 0; e < uses().count(); ++e) {
     const std::span<const HalfEdgeId> all = uses().of(e);
     const HalfEdgeId h = all[0];
@@ -173,8 +177,8 @@ void HalfEdges::pair_by_vertices() {
     if (back == all.end()) continue;
     for (const HalfEdgeId g : all) twins_[index(g)] = origin(g) == origin(h) ? *back : h;
   }
-  borders_.assign(index(count_), true);
-  for (HalfEdgeId h = 0; h < count_; ++h)
+  borders_.assign(3 * index(triangles_), true);
+  for (const HalfEdgeId h : data_->half_edges())
     if (twin(h) != none)
       borders_[index(h)] =
           data_->triangle_faces[index(triangle_of(h))] != data_->triangle_faces[index(triangle_of(twin(h)))];

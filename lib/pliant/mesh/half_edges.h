@@ -25,10 +25,10 @@ class HalfEdges {
   /// True if M1 and M2 are proved to hold: pairing half-edges by their inner control points proves it on the way.
   /// False also for some meshes that satisfy both: those of degree 1, with pinched vertices, or with handles.
   bool is_sound() const { return is_sound_; }
-  HalfEdgeId twin(HalfEdgeId h) const { return twins_[static_cast<std::size_t>(h)]; }
+  HalfEdgeId twin(HalfEdgeId h) const { return twins_[index(h)]; }
   const std::vector<HalfEdgeId>& twins() const { return twins_; }
   /// True if the other side of h has a triangle of another face, or no triangle.
-  bool is_border(HalfEdgeId h) const { return borders_[static_cast<std::size_t>(h)]; }
+  bool is_border(HalfEdgeId h) const { return borders_[index(h)]; }
   /// The half-edge from the first to the last of an edge's control points, and the one back; each may be none.
   std::array<HalfEdgeId, 2> along(std::span<const PointId> edge) const;
   /// The half-edges grouped by their vertices; made when first asked for.
@@ -49,12 +49,12 @@ class HalfEdges {
 
   const MeshData* data_;
   std::size_t n_;
-  HalfEdgeId count_;
+  TriangleId triangles_;
   std::vector<HalfEdgeId> twins_;
   std::vector<bool> borders_;
   bool is_sound_ = false;
   std::int64_t vertices_ = 0;
-  std::vector<HalfEdgeId> use_;  // what each point is used for (coded in half_edges.cpp); empty unless sound
+  std::vector<std::int32_t> use_;  // what each point is used for (coded in half_edges.cpp); empty unless sound
   mutable std::optional<EdgeUses> uses_;
 };
 

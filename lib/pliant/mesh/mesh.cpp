@@ -53,7 +53,8 @@ void Mesh::gather_edge_points(HalfEdgeId h, std::span<Point> points) const {
 
 // -- recorded changes
 
-void Mesh::put_int(Log what, std::vector<std::int32_t>& array, std::size_t i, std::int32_t value) {
+template <class Id>
+void Mesh::put_id(Log what, std::vector<Id>& array, std::size_t i, std::type_identity_t<Id> value) {
   if (array[i] == value) return;
   log(what, i, static_cast<std::uint64_t>(static_cast<std::int64_t>(array[i])));
   array[i] = value;
@@ -140,7 +141,7 @@ PointId Mesh::add_point() {
     const PointId p = free_points_.back();
     free_points_.pop_back();
     log(Log::pop_point, 0, static_cast<std::uint64_t>(p));
-    put_int(Log::vertex_half_edge, vertex_half_edges_, index(p), none);
+    put_id(Log::vertex_half_edge, vertex_half_edges_, index(p), none);
     return p;
   }
   points_.emplace_back();
@@ -154,7 +155,7 @@ PointId Mesh::add_point() {
 void Mesh::free_point(PointId p) {
   if (has_by_face_)
     for (FaceId f = 0; f < static_cast<FaceId>(boundary_.faces.size()); ++f) drop_place(p, f);
-  put_int(Log::vertex_half_edge, vertex_half_edges_, index(p), free_slot);
+  put_id(Log::vertex_half_edge, vertex_half_edges_, index(p), free_slot);
   free_points_.push_back(p);
   log(Log::push_point, 0, 0);
 }
@@ -173,32 +174,32 @@ TriangleId Mesh::add_triangle(FaceId f) {
     constraints_.resize(constraints_.size() + 3, none);
     log(Log::grow_triangles, 0, 0);
   }
-  put_int(Log::face, faces_, index(t), f);
+  put_id(Log::face, faces_, index(t), f);
   for (int e = 0; e < 3; ++e) {
-    put_int(Log::twin, twins_, index(half_edge(t, e)), none);
-    put_int(Log::constraint, constraints_, index(half_edge(t, e)), none);
+    put_id(Log::twin, twins_, index(half_edge(t, e)), none);
+    put_id(Log::constraint, constraints_, index(half_edge(t, e)), none);
   }
   ++triangle_count_;
   return t;
 }
 
 void Mesh::free_triangle(TriangleId t) {
-  put_int(Log::face, faces_, index(t), none);
+  put_id(Log::face, faces_, index(t), none);
   free_triangles_.push_back(t);
   log(Log::push_triangle, 0, 0);
   --triangle_count_;
 }
 
 void Mesh::set_net_point(TriangleId t, int k, PointId p) {
-  put_int(Log::net, nets_, index(t) * index(net_size_) + index(k), p);
+  put_id(Log::net, nets_, index(t) * index(net_size_) + index(k), p);
 }
 
 void Mesh::link(HalfEdgeId h, HalfEdgeId g) {
-  if (h != none) put_int(Log::twin, twins_, index(h), g);
-  if (g != none) put_int(Log::twin, twins_, index(g), h);
+  if (h != none) put_id(Log::twin, twins_, index(h), g);
+  if (g != none) put_id(Log::twin, twins_, index(g), h);
 }
 
-void Mesh::set_constraint(HalfEdgeId h, ConstraintId c) { put_int(Log::constraint, constraints_, index(h), c); }
+void Mesh::set_constraint(HalfEdgeId h, ConstraintId c) { put_id(Log::constraint, constraints_, index(h), c); }
 
 ConstraintId Mesh::add_constraint(CurveId curve, double start, PointId first) {
   ConstraintId c;
@@ -218,20 +219,20 @@ ConstraintId Mesh::add_constraint(CurveId curve, double start, PointId first) {
 }
 
 void Mesh::set_constraint_record(ConstraintId c, CurveId curve, double start, PointId first) {
-  put_int(Log::constraint_curve, constraint_curves_, index(c), curve);
-  put_int(Log::constraint_first, constraint_firsts_, index(c), first);
+  put_id(Log::constraint_curve, constraint_curves_, index(c), curve);
+  put_id(Log::constraint_first, constraint_firsts_, index(c), first);
   log(Log::constraint_start, index(c), std::bit_cast<std::uint64_t>(constraint_starts_[index(c)]));
   constraint_starts_[index(c)] = start;
 }
 
 void Mesh::free_constraint(ConstraintId c) {
-  put_int(Log::constraint_curve, constraint_curves_, index(c), none);
+  put_id(Log::constraint_curve, constraint_curves_, index(c), none);
   free_constraints_.push_back(c);
   log(Log::push_constraint, 0, 0);
 }
 
 void Mesh::set_vertex_half_edge(PointId v, HalfEdgeId h) {
-  put_int(Log::vertex_half_edge, vertex_half_edges_, index(v), h);
+  put_id(Log::vertex_half_edge, vertex_half_edges_, index(v), h);
   if (!pinches_.empty()) note_pinched(v, h);
 }
 

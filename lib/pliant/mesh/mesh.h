@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <type_traits>
 #include <unordered_map>
 #include <vector>
 
@@ -46,6 +47,8 @@ class Mesh {
   bool is_alive(TriangleId t) const { return faces_[index(t)] >= 0; }
 
   // -- topology
+  /// All slots of half-edges, also those of free triangles.
+  HalfEdgeRange half_edges() const { return HalfEdgeRange(triangle_slots()); }
   std::span<const PointId> net(TriangleId t) const {
     return {nets_.data() + index(t) * index(net_size_), index(net_size_)};
   }
@@ -61,9 +64,9 @@ class Mesh {
   ConstraintId constraint(HalfEdgeId h) const { return constraints_[index(h)]; }
   bool is_constrained(HalfEdgeId h) const { return constraints_[index(h)] != none; }
   FaceId face(TriangleId t) const { return faces_[index(t)]; }
-  /// One half-edge that leaves vertex v; none if the point is not a vertex.
+  /// One half-edge that leaves vertex v. What other points have is no half-edge, and not always none: ask is_vertex.
   HalfEdgeId vertex_half_edge(PointId v) const { return vertex_half_edges_[index(v)]; }
-  bool is_vertex(PointId v) const { return vertex_half_edges_[index(v)] >= 0; }
+  bool is_vertex(PointId v) const { return vertex_half_edges_[index(v)] > none; }
   /// Half-edges at a *pinched* vertex, one whose star has several components (half-disks). At least one half-edge of
   /// each component leaves v; others may have come to lead from elsewhere, or be dead. Empty for every other vertex.
   std::span<const HalfEdgeId> pinched_half_edges(PointId v) const {
@@ -153,7 +156,7 @@ class Mesh {
 
  private:
   friend class Transaction;
-  static constexpr std::int32_t free_slot = -2;
+  static constexpr HalfEdgeId free_slot{-2};  // less than none
   enum class Log : std::uint32_t;
   struct LogEntry {
     Log what;
@@ -169,7 +172,8 @@ class Mesh {
   void log(Log what, std::size_t index, std::uint64_t bits) {
     if (recording_ > 0) log_.push_back({what, static_cast<std::uint32_t>(index), bits});
   }
-  void put_int(Log what, std::vector<std::int32_t>& array, std::size_t i, std::int32_t value);
+  template <class Id>
+  void put_id(Log what, std::vector<Id>& array, std::size_t i, std::type_identity_t<Id> value);
   void put_value(std::size_t field, std::size_t i, double value);
   /// Calls `change` with the curve and the list in which it notes its edits, null where nothing is recorded.
   template <class Change>

@@ -56,6 +56,8 @@ struct MeshData {
   BoundaryComplex boundary;
   Criteria criteria;
   ExtraMembers extra;
+
+  HalfEdgeRange half_edges() const { return HalfEdgeRange(static_cast<TriangleId>(triangle_faces.size())); }
 };
 
 }  // namespace pliant

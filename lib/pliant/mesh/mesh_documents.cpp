@@ -102,14 +102,15 @@ void Mesh::connect(const MeshData& data, const HalfEdges& half_edges) {
   // Each component of an open star begins with a half-edge that has no twin. Two of them at one vertex: it is pinched.
   std::vector<char> is_open(data.points.size(), 0);
   std::vector<PointId> pinched;
-  for (HalfEdgeId h = 0; h < static_cast<HalfEdgeId>(twins_.size()); ++h) {
+  for (const HalfEdgeId h : data.half_edges()) {
     if (twins_[index(h)] != none) continue;
     const PointId v = data.triangles[index(triangle_of(h)) * index(net_size_) + index(edge_of(h))];
     if (is_open[index(v)] == 1) pinched.push_back(v);
     if (is_open[index(v)] < 2) ++is_open[index(v)];
   }
   for (const PointId v : pinched) pinches_[v];
-  for (HalfEdgeId h = 0; !pinched.empty() && h < static_cast<HalfEdgeId>(twins_.size()); ++h) {
+  for (const HalfEdgeId h : data.half_edges()) {
+    if (pinched.empty()) break;
     if (twins_[index(h)] != none) continue;
     const auto found = pinches_.find(data.triangles[index(triangle_of(h)) * index(net_size_) + index(edge_of(h))]);
     if (found != pinches_.end()) found->second.push_back(h);

@@ -49,9 +49,8 @@ HalfEdgeId find_around(const Mesh& mesh, HalfEdgeId start, IsWanted is_wanted) {
 /// The same over all components of the star of v.
 template <class IsWanted>
 HalfEdgeId find_at(const Mesh& mesh, PointId v, IsWanted is_wanted) {
-  const HalfEdgeId start = mesh.vertex_half_edge(v);
-  if (start < 0) return none;
-  HalfEdgeId found = find_around(mesh, start, is_wanted);
+  if (!mesh.is_vertex(v)) return none;
+  HalfEdgeId found = find_around(mesh, mesh.vertex_half_edge(v), is_wanted);
   if (found != none) return found;
   for (const HalfEdgeId h : mesh.pinched_half_edges(v))
     if (mesh.is_alive(triangle_of(h)) && mesh.origin(h) == v && (found = find_around(mesh, h, is_wanted)) != none)
@@ -84,8 +83,8 @@ struct Walk {
 /// a half-edge or either star is done. So it takes no longer than a walk around the smaller star.
 template <class FromA, class FromB>
 HalfEdgeId find_at_either(const Mesh& mesh, PointId a, PointId b, FromA from_a, FromB from_b) {
+  if (!mesh.is_vertex(a) || !mesh.is_vertex(b)) return none;
   Walk at_a(mesh, a), at_b(mesh, b);
-  if (at_a.start < 0 || at_b.start < 0) return none;
   do {
     if (const HalfEdgeId found = from_a(at_a.h); found != none) return found;
     if (const HalfEdgeId found = from_b(at_b.h); found != none) return found;
@@ -99,9 +98,8 @@ void find_star(const Mesh& mesh, PointId v, Star& star) {
   star.outgoing.clear();
   star.is_closed = false;
   star.components = 0;
-  const HalfEdgeId start = mesh.vertex_half_edge(v);
-  if (start < 0) return;
-  star.is_closed = add_component(mesh, start, star);
+  if (!mesh.is_vertex(v)) return;
+  star.is_closed = add_component(mesh, mesh.vertex_half_edge(v), star);
   for (const HalfEdgeId h : mesh.pinched_half_edges(v))
     if (mesh.is_alive(triangle_of(h)) && mesh.origin(h) == v) add_component(mesh, h, star);
 }

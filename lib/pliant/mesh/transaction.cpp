@@ -30,13 +30,13 @@ void Mesh::undo(std::size_t mark) {
         faces_[i] = integer;
         break;
       case Log::twin:
-        twins_[i] = integer;
+        twins_[i] = HalfEdgeId{integer};
         break;
       case Log::constraint:
         constraints_[i] = integer;
         break;
       case Log::vertex_half_edge:
-        vertex_half_edges_[i] = integer;
+        vertex_half_edges_[i] = HalfEdgeId{integer};
         break;
       case Log::constraint_curve:
         constraint_curves_[i] = integer;

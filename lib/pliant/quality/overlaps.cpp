@@ -47,8 +47,7 @@ class OverlapSearch {
       : data_(data), half_edges_(half_edges), most_(index(std::max(most, 0))) {}
 
   Overlaps run() {
-    const auto count = static_cast<HalfEdgeId>(3 * data_.triangle_faces.size());
-    for (HalfEdgeId h = 0; h < count; ++h)
+    for (const HalfEdgeId h : data_.half_edges())
       if (half_edges_.twin(h) == none) outer_.push_back(h);
     find_crossing_edges();
     find_covered_loops();
@@ -79,7 +78,7 @@ class OverlapSearch {
     std::ranges::sort(listed);
     for (const HalfEdgeId h : outer_)
       if (!std::ranges::binary_search(listed, h)) add_edge(edge_ids(data_, h), h);
-    const auto triangle = [](HalfEdgeId h) { return h == none ? none : triangle_of(h); };
+    const auto triangle = [](HalfEdgeId h) { return h == none ? TriangleId{none} : triangle_of(h); };
     for (const Crossing& crossing : find_crossings(edges)) {
       const HalfEdgeId a = half_edges[crossing.first], b = half_edges[crossing.second];
       add({triangle(a), triangle(b), crossing.place});

@@ -12,7 +12,7 @@ std::vector<CurveChain> curve_chains(const Mesh& mesh) {
     PointId first, last;
   };
   std::vector<std::vector<Span>> spans(mesh.boundary().curves.size());
-  for (HalfEdgeId h = 0; h < 3 * mesh.triangle_slots(); ++h) {
+  for (const HalfEdgeId h : mesh.half_edges()) {
     if (!mesh.is_alive(triangle_of(h)) || !mesh.is_constrained(h) || mesh.twin(h) > h) continue;  // each edge once
     const ConstraintId c = mesh.constraint(h);
     const bool forward = mesh.runs_forward(h);

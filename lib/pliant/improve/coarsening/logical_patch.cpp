@@ -16,8 +16,8 @@ namespace {
 constexpr int most_flips = 60;  // after one removal
 constexpr int most_degree = 40;
 
-int outside_piece(HalfEdgeId h) { return -2 - h; }
-HalfEdgeId half_edge_of(int beyond) { return -2 - beyond; }
+int outside_piece(HalfEdgeId h) { return -2 - as_int(h); }
+HalfEdgeId half_edge_of(int beyond) { return HalfEdgeId{-2 - beyond}; }
 
 }  // namespace
 

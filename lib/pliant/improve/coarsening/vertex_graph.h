@@ -14,7 +14,7 @@ class VertexGraph {
  public:
   explicit VertexGraph(const Mesh& mesh) : starts_(static_cast<std::size_t>(mesh.point_slots()) + 1, 0) {
     const auto visit = [&mesh](const auto& edge) {
-      for (HalfEdgeId h = 0; h < 3 * mesh.triangle_slots(); ++h) {
+      for (const HalfEdgeId h : mesh.half_edges()) {
         if (!mesh.is_alive(triangle_of(h))) continue;
         edge(mesh.origin(h), mesh.target(h));
         if (mesh.twin(h) == none) edge(mesh.target(h), mesh.origin(h));

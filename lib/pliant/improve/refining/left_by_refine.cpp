@@ -93,7 +93,7 @@ std::vector<LeftByRefine::Awakened> LeftByRefine::awakened_in(const Mesh& after)
   }
   if (!is_settled_) return awakened;  // what it would have inserted anyway is not to blame
   const std::set<std::array<double, 2>> were = vertices_of(after);
-  for (HalfEdgeId h = 0; h < 3 * refined.triangle_slots(); ++h) {
+  for (const HalfEdgeId h : refined.half_edges()) {
     if (!refined.is_alive(triangle_of(h))) continue;
     const Point &p = refined.point(refined.origin(h)), &q = refined.point(refined.target(h));
     if (!were.contains({p.x, p.y})) awakened.push_back({p, distance(p, q)});

@@ -86,7 +86,7 @@ SharpCorners::SharpCorners(const Mesh& mesh) {
 
 void SharpCorners::find_corners(const Mesh& mesh) {
   Star star;
-  for (HalfEdgeId h = 0; h < 3 * mesh.triangle_slots(); ++h) {
+  for (const HalfEdgeId h : mesh.half_edges()) {
     if (!mesh.is_alive(triangle_of(h)) || !mesh.is_constrained(h)) continue;
     // A corner has two such edges in every face; the one that leaves it speaks for both.
     const PointId v = mesh.origin(h);
@@ -104,7 +104,7 @@ void SharpCorners::find_sides(const Mesh& mesh) {
   std::vector<PointId> corners;
   for (const auto& [v, face] : corners_) corners.push_back(v);
   std::sort(corners.begin(), corners.end());
-  for (HalfEdgeId h = 0; h < 3 * mesh.triangle_slots(); ++h) {
+  for (const HalfEdgeId h : mesh.half_edges()) {
     if (!mesh.is_alive(triangle_of(h)) || !mesh.is_constrained(h)) continue;
     // Three or more edges, or one: counted by the half-edges that leave and those that arrive without a twin.
     const auto count = [&](PointId v) { is_node[index(v)] = static_cast<char>(std::min(is_node[index(v)] + 1, 100)); };

@@ -29,7 +29,7 @@ bool is_straight(const Mesh& mesh, HalfEdgeId h) {
 
 StraightenCounts straighten_edges(Mesh& mesh, const RefitOptions& options) {
   std::vector<HalfEdgeId> curved;
-  for (HalfEdgeId h = 0; h < 3 * mesh.triangle_slots(); ++h) {
+  for (const HalfEdgeId h : mesh.half_edges()) {
     if (!mesh.is_alive(triangle_of(h)) || mesh.is_constrained(h) || h > mesh.twin(h)) continue;
     if (!is_straight(mesh, h)) curved.push_back(h);
   }

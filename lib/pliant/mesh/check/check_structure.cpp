@@ -99,7 +99,7 @@ class Checker {
         if (k >= 3 && k < layout_.first_interior()) {
           const HalfEdgeId h = half_edge(t, static_cast<int>((k - 3) / inside)), g = twin(h);
           const std::int64_t along = (k - 3) % inside;  // counted from the other end where the twin is the lower one
-          now = 1 + (g != none && g < h ? g * inside + inside - 1 - along : h * inside + along);
+          now = 1 + (g != none && g < h ? as_int(g) * inside + inside - 1 - along : as_int(h) * inside + along);
         } else if (k >= 3) {
           now = -2 - static_cast<std::int64_t>(t);
         }
@@ -118,11 +118,11 @@ class Checker {
   void check_stars() {
     std::vector<std::int32_t> corners(data_.points.size()), in_open(data_.points.size());
     std::vector<HalfEdgeId> leaving(data_.points.size(), none);
-    for (HalfEdgeId h = 3 * triangles_; h-- > 0;) {
+    for (const HalfEdgeId h : data_.half_edges()) {
       ++corners[index(origin(h))];
-      leaving[index(origin(h))] = h;
+      if (leaving[index(origin(h))] == none) leaving[index(origin(h))] = h;
     }
-    for (HalfEdgeId h = 0; h < 3 * triangles_; ++h) {
+    for (const HalfEdgeId h : data_.half_edges()) {
       if (twin(h) != none) continue;
       std::int32_t& seen = in_open[index(origin(h))];
       for (HalfEdgeId g = h; g != none && seen <= corners[index(origin(h))]; g = twin(previous(g))) ++seen;
@@ -213,7 +213,7 @@ class Checker {
   void check_faces() {
     std::sort(constrained_.begin(), constrained_.end());
     auto next_constrained = constrained_.begin();
-    for (HalfEdgeId h = 0; h < 3 * triangles_; ++h) {
+    for (const HalfEdgeId h : data_.half_edges()) {
       const bool is_constrained = next_constrained != constrained_.end() && next_constrained->first == h;
       if (!is_constrained && !half_edges_.is_border(h)) continue;
       const HalfEdgeId g = twin(h);
