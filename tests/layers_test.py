@@ -27,7 +27,8 @@ ROOMS = [
     (re.compile(r"Eigen/|eigen3/"), {"geometry", "boundary", "mesh", "ops", "quality", "flow", "fem", "improve"}, False),
     (re.compile(r"boost/"), {"geometry"}, False),
     (re.compile(r"ceres/|glog/"), {"improve"}, False),
-    (re.compile(r"nlohmann/|simdjson|tiny_gltf|expat"), {"formats"}, False),
+    (re.compile(r"nlohmann/json_fwd\.hpp"), {"formats"}, True),
+    (re.compile(r"nlohmann/(?!json_fwd\.hpp)|simdjson|tiny_gltf|expat"), {"formats"}, False),
     (re.compile(r"muParser"), {"tools"}, False),
     (re.compile(r"CLI/"), {"tools"}, True),
     (re.compile(r"catch2?/"), set(), False),
@@ -126,6 +127,22 @@ class Layers(unittest.TestCase):
     def test_a_library_outside_its_room_is_a_fault(self):
         self.assertIn("does not belong", faults_of("lib/pliant/mesh/a.cpp", "#include <nlohmann/json.hpp>\n")[0])
         self.assertIn("in a header", faults_of("lib/pliant/ops/a.h", "#include <Eigen/Core>\n")[0])
+        self.assertIn("in a header", faults_of("formats/a.h", "#include <nlohmann/json.hpp>\n")[0])
+        self.assertIn("does not belong", faults_of("tools/a.h", "#include <nlohmann/json_fwd.hpp>\n")[0])
+
+    def test_names_of_json_values_may_be_in_headers_of_formats(self):
+        self.assertEqual([], faults_of("formats/a.h", "#include <nlohmann/json_fwd.hpp>\n"))
+
+    def test_installed_headers_need_no_header_of_another_library(self):
+        """The installed ones are those that CMake lists, and all that they include must be among them."""
+        lists = (ROOT / "formats/CMakeLists.txt").read_text(encoding="utf-8")
+        installed = [f"formats/{name}" for name in re.findall(r"[\w/]+\.h\b", lists)]
+        self.assertGreater(len(installed), 10)
+        for header in installed:
+            for target in INCLUDE.findall((ROOT / header).read_text(encoding="utf-8")):
+                self.assertNotIn("nlohmann", target, header)
+                if target.startswith("formats/"):
+                    self.assertIn(target, installed, header)
 
     def test_a_folder_on_no_floor_is_a_fault(self):
         self.assertEqual(1, len(faults_of("lib/pliant/util/a.h", "")))

@@ -2,6 +2,7 @@
 #pragma once
 #include "formats/document/read_json.h"
 #include "formats/document/write_json.h"
+#include "pliant/boundary/boundary_complex.h"
 
 namespace pliant {
 

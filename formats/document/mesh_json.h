@@ -22,4 +22,9 @@ BoundaryComplex read_boundary(std::string_view json, std::vector<Doubt>* doubts 
 void write_mesh(const MeshData& mesh, std::string& out);
 void write_boundary(const BoundaryComplex& boundary, std::string& out);
 
+/// A value for an unknown member from its JSON, and the JSON of such a value.
+/// Throws      InputError as `read_mesh` does
+std::shared_ptr<const DocumentValue> read_value(std::string_view json);
+std::string write_value(const DocumentValue& value);
+
 }  // namespace pliant

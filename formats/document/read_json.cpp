@@ -139,47 +139,4 @@ bool JsonReader::null() {
   return true;
 }
 
-// -- values that nobody asked for
-
-void JsonReader::skip_value() {
-  switch (peek()) {
-    case '{':
-      return object([&](std::string_view) {
-        skip_value();
-        return true;
-      });
-    case '[':
-      return array([&] { skip_value(); });
-    case '"':
-      text();
-      return;
-    case 't':
-    case 'f':
-      boolean();
-      return;
-    case 'n':
-      return skip_word("null");
-    default:
-      return skip_number();
-  }
-}
-
-std::string JsonReader::raw() {
-  skip_space();
-  const char* first = at_;
-  skip_value();
-  std::string out;
-  bool quoted = false;
-  for (const char* p = first; p != at_; ++p) {
-    if (*p == '"') quoted = !quoted;
-    if (quoted && *p == '\\') {
-      out += *p++;
-      out += *p;
-    } else if (quoted || (*p != ' ' && *p != '\n' && *p != '\t' && *p != '\r')) {
-      out += *p;
-    }
-  }
-  return out;
-}
-
 }  // namespace pliant

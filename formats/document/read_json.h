@@ -9,11 +9,13 @@
 #include <string_view>
 #include <unordered_set>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "formats/document/document_place.h"
-#include "pliant/boundary/boundary_complex.h"
+#include "pliant/boundary/extra_members.h"
 #include "pliant/boundary/fault.h"
+#include "pliant/geometry/point.h"
 
 namespace pliant {
 
@@ -56,8 +58,15 @@ class JsonReader {
   void integers(std::vector<std::int32_t>& out);
   void points(std::vector<Point>& out);
   void pairs(std::vector<std::array<std::int32_t, 2>>& out);
-  /// The text of any value, without white space outside strings.
-  std::string raw();
+  /// A number that nobody asked for: exactly, if it is an integer of 64 bits; the nearest double otherwise.
+  std::variant<double, std::int64_t, std::uint64_t> any_number();
+  /// Any value.
+  std::shared_ptr<const DocumentValue> value();
+  /// The first byte of the next value, or what stands in its place; 0 at the end.
+  char peek() {
+    skip_space();
+    return at_ == end_ ? '\0' : *at_;
+  }
   /// Requires that nothing but white space follows.
   void finish();
 
@@ -82,10 +91,6 @@ class JsonReader {
   void skip_space() {
     while (at_ != end_ && (*at_ == ' ' || *at_ == '\n' || *at_ == '\t' || *at_ == '\r')) ++at_;
   }
-  char peek() {
-    skip_space();
-    return at_ == end_ ? '\0' : *at_;
-  }
   void open(char bracket, const char* what);
   bool next_element(char close, bool first) {
     const char c = peek();
@@ -105,8 +110,6 @@ class JsonReader {
   double read_number();
   std::int32_t read_integer();
   double slow_number(const char* first, const char* last) const;
-  void skip_number();
-  void skip_value();
   void skip_word(const char* word);
   [[noreturn]] void syntax(const std::string& text) const { fail_at(at_, text); }
   [[noreturn]] void fail_at(const char* where, const std::string& text) const;
@@ -128,7 +131,7 @@ void JsonReader::object(ExtraMembers& extra, F member) {
   for (bool first = true; next_element('}', first); first = false) {
     const std::string_view name = member_name(names);
     path_.push_back({name, -1});
-    if (!member(name)) extra.emplace_back(std::string(name), raw());
+    if (!member(name)) extra.emplace_back(std::string(name), value());
     path_.pop_back();
   }
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <limits>
+#include <optional>
 
 #include "formats/document/read_json.h"
 
@@ -127,6 +128,24 @@ std::int32_t JsonReader::integer() {
   return read_integer();
 }
 
+std::variant<double, std::int64_t, std::uint64_t> JsonReader::any_number() {
+  if (skip_space(); at_ == end_ || (*at_ != '-' && !is_digit(*at_))) syntax("expected a value, " + found());
+  const Scanned s = scan_number(at_, end_);
+  // -0 is no integer: it would lose its sign.
+  if (s.fault == nullptr && s.integral && !(*at_ == '-' && s.mantissa == 0)) {
+    const auto read = [&](auto integer) {
+      const bool fits = std::from_chars(at_, s.end, integer).ec == std::errc();
+      return fits ? std::optional(integer) : std::nullopt;
+    };
+    if (*at_ == '-') {
+      if (const auto integer = read(std::int64_t{})) return at_ = s.end, *integer;
+    } else if (const auto integer = read(std::uint64_t{})) {
+      return at_ = s.end, *integer;
+    }
+  }
+  return read_number();
+}
+
 // -- bulk arrays
 
 template <class Store>
@@ -173,13 +192,6 @@ void JsonReader::pairs(std::vector<std::array<std::int32_t, 2>>& out) {
     odd = !odd;
   });
   if (odd) fail("has an odd number of entries: they are pairs");
-}
-
-void JsonReader::skip_number() {
-  if (at_ == end_ || (*at_ != '-' && !is_digit(*at_))) syntax("expected a value, " + found());
-  const Scanned s = scan_number(at_, end_);
-  at_ = s.end;
-  if (s.fault != nullptr) syntax(s.fault);
 }
 
 }  // namespace pliant

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "pliant/boundary/boundary_complex.h"
+#include "pliant/boundary/extra_members.h"
 
 namespace pliant {
 
@@ -36,15 +36,16 @@ class JsonWriter {
   JsonWriter& value(bool truth) { return raw(truth ? "true" : "false"); }
   JsonWriter& value(std::string_view text) { return comma(), append_string(out_, text), *this; }
   JsonWriter& value(const char* text) { return value(std::string_view(text)); }
+  JsonWriter& value(const DocumentValue& value);
   JsonWriter& null() { return raw("null"); }
   JsonWriter& raw(std::string_view json) {
     comma();
     out_ += json;
     return *this;
   }
-  /// Members that Pliant does not know, as they came.
+  /// Members that Pliant does not know.
   void members(const ExtraMembers& extra) {
-    for (const auto& [key, json] : extra) name(key).raw(json);
+    for (const auto& [key, carried] : extra) name(key).value(*carried);
   }
 
  private:

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "formats/document/mesh_json.h"
+#include "support/carried_members.h"
 #include "support/triangles.h"
 
 using namespace pliant;
@@ -74,9 +75,9 @@ TEST_CASE("the members of a boundary document mean what the page says", "[format
   CHECK(ring.spline.closed());
   CHECK(ring.spline.span_count() == 4);
   CHECK(ring.start == no_vertex);
-  CHECK(ring.extra == ExtraMembers{{"group", "{\"id\":7}"}});
+  CHECK(samples::texts_of(ring.extra) == samples::MemberTexts{{"group", "{\"id\":7}"}});
   CHECK(boundary.cusps == std::vector<int>{1});
-  CHECK(boundary.extra == ExtraMembers{{"by", "\"hand\""}});
+  CHECK(samples::texts_of(boundary.extra) == samples::MemberTexts{{"by", "\"hand\""}});
 }
 
 TEST_CASE("each fault of a boundary document is named by its place", "[formats]") {

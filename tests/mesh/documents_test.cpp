@@ -5,6 +5,7 @@
 #include "mesh/same_mesh.h"
 #include "ops/random_operations.h"
 #include "pliant/mesh/check_mesh.h"
+#include "support/carried_members.h"
 
 using namespace pliant;
 
@@ -64,13 +65,13 @@ TEST_CASE("a document keeps what the mesh does not know, its criteria, time and 
   data.criteria.max_area = 0.5;
   data.criteria.face_area = {{"upper", 0.25}};
   data.criteria.size = "0.1 + x";
-  data.criteria.extra = {{"wish", "1"}};
-  data.extra = {{"step", "[1,2]"}};
-  data.boundary.extra = {{"unit", "\"mm\""}};
-  data.boundary.curves[1].extra = {{"tension", "3.5"}};
+  data.criteria.extra = samples::carried({{"wish", "1"}});
+  data.extra = samples::carried({{"step", "[1,2]"}});
+  data.boundary.extra = samples::carried({{"unit", "\"mm\""}});
+  data.boundary.curves[1].extra = samples::carried({{"tension", "3.5"}});
   data.boundary.curves[1].removal_error = 1e-3;
   samples::add_field(data, "u", 2, [](const Point& p) { return std::vector<double>{p.y, -0.0}; });
-  data.fields[0].extra = {{"unit", "\"m/s\""}};
+  data.fields[0].extra = samples::carried({{"unit", "\"m/s\""}});
   const std::string text = text_of(data);
   const bool is_same = text_of(Mesh(read_mesh(text)).to_data()) == text;
   CHECK(is_same);

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "formats/document/mesh_json.h"
+#include "support/carried_members.h"
 #include "support/sample_meshes.h"
 
 int main(int argc, char** argv) {
@@ -14,7 +15,7 @@ int main(int argc, char** argv) {
   MeshData data = kind == "three" ? samples::three_disks(degree) : samples::disk(degree);
   if (argc > 3) data.time = std::atof(argv[3]);
   samples::add_field(data, "u", 1, [](const Point& p) { return std::vector<double>{p.x / 3 - 0.1 * p.y}; });
-  data.extra = {{"step", "7"}};
+  data.extra = samples::carried({{"step", "7"}});
   if (kind == "tangled") {
     // The middle vertex far out of its star: elements there turn over, the structure stays.
     for (Point& p : data.points)

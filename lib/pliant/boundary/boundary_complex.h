@@ -1,17 +1,13 @@
 // lib/pliant/boundary/boundary_complex.h: the input of a simulation: vertices, B-spline curves, faces (paper §7).
 #pragma once
 #include <string>
-#include <utility>
 #include <vector>
 
+#include "pliant/boundary/extra_members.h"
 #include "pliant/geometry/point.h"
 #include "pliant/geometry/spline/bspline.h"
 
 namespace pliant {
-
-/// Members of a document object that Pliant does not know: name and raw JSON text of the value, in their order. They
-/// are kept and written back.
-using ExtraMembers = std::vector<std::pair<std::string, std::string>>;
 
 inline constexpr int outside = -1;    ///< in place of a face
 inline constexpr int no_vertex = -1;  ///< start and end of a closed curve
