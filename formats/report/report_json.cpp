@@ -1,125 +1,107 @@
 // formats/report/report_json.cpp: members in the order of formats/report.md.
 #include "formats/report/report_json.h"
 
-#include <cmath>
+#include <nlohmann/json.hpp>
+#include <span>
 
+#include "formats/document/document_value.h"
 #include "formats/document/write_json.h"
 
 namespace pliant {
 namespace {
 
-void write_value(JsonWriter& json, double value) {
-  if (std::isfinite(value))
-    json.value(value);
-  else
-    json.null();
+Json list_of(std::span<const double> values) {
+  Json list = Json::array();
+  for (const double value : values) list.push_back(finite_or_null(value));
+  return list;
 }
 
-void write_values(JsonWriter& json, const char* name, const std::vector<double>& values) {
-  json.name(name).begin_array();
-  for (const double value : values) write_value(json, value);
-  json.end_array();
-}
+Json list_of(const Point& place) { return Json::array({finite_or_null(place.x), finite_or_null(place.y)}); }
 
-template <class Integers>
-void write_integers(JsonWriter& json, const char* name, const Integers& integers) {
-  json.name(name).begin_array();
-  for (const auto integer : integers) json.value(integer);
-  json.end_array();
-}
-
-void write_bad_elements(JsonWriter& json, const std::string& kind, const std::vector<BadElement>& elements) {
-  json.name(kind + "_elements").begin_array();
-  for (const BadElement& element : elements) json.value(element.triangle);
-  json.end_array();
-  json.name(kind + "_places").begin_array();
-  for (const BadElement& element : elements) {
-    json.begin_array();
-    write_value(json, element.centroid.x);
-    write_value(json, element.centroid.y);
-    json.end_array();
+void add_bad_elements(Json& report, const std::string& kind, const std::vector<BadElement>& bad) {
+  Json elements = Json::array(), places = Json::array();
+  for (const BadElement& element : bad) {
+    elements.push_back(element.triangle);
+    places.push_back(list_of(element.centroid));
   }
-  json.end_array();
+  report[kind + "_elements"] = std::move(elements);
+  report[kind + "_places"] = std::move(places);
 }
 
-void write_overlap_places(JsonWriter& json, const std::vector<OverlapPlace>& places) {
-  json.name("overlap_places").begin_array();
-  for (const OverlapPlace& overlap : places) {
-    json.begin_object();
-    json.name("triangles").begin_array();
-    for (const TriangleId t : {overlap.first, overlap.second})
-      if (t != none) json.value(t);
-    json.end_array();
-    write_values(json, "at", {overlap.place.x, overlap.place.y});
-    json.end_object();
-  }
-  json.end_array();
+Json to_json(const OverlapPlace& overlap) {
+  Json triangles = Json::array();
+  for (const TriangleId t : {overlap.first, overlap.second})
+    if (t != none) triangles.push_back(t);
+  return {{"triangles", std::move(triangles)}, {"at", list_of(overlap.place)}};
 }
 
-void write_faults(JsonWriter& json, const std::vector<Fault>& faults) {
-  json.name("faults").begin_array();
-  for (const Fault& fault : faults) {
-    json.begin_object();
-    json.name("invariant").value(fault.invariant);
-    json.name("place").value(fault.place);
-    json.name("text").value(fault.text);
-    json.end_object();
-  }
-  json.end_array();
+Json to_json(const Fault& fault) {
+  return {{"invariant", fault.invariant}, {"place", fault.place}, {"text", fault.text}};
 }
 
-void write_faces(JsonWriter& json, const std::vector<FaceFigures>& faces) {
-  json.name("faces").begin_array();
-  for (const FaceFigures& face : faces) {
-    json.begin_object();
-    json.name("name").value(face.name);
-    json.name("triangles").value(face.triangles);
-    write_value(json.name("area"), face.area);
-    write_value(json.name("perimeter"), face.perimeter);
-    json.end_object();
-  }
-  json.end_array();
+Json to_json(const FaceFigures& face) {
+  return {{"name", face.name},
+          {"triangles", face.triangles},
+          {"area", finite_or_null(face.area)},
+          {"perimeter", finite_or_null(face.perimeter)}};
 }
 
-void write_fields(JsonWriter& json, const std::vector<FieldFigures>& fields) {
-  json.name("fields").begin_array();
-  for (const FieldFigures& field : fields) {
-    json.begin_object();
-    json.name("name").value(field.name);
-    write_values(json, "min", field.min);
-    write_values(json, "max", field.max);
-    write_values(json, "integral", field.integral);
-    json.end_object();
-  }
-  json.end_array();
+Json to_json(const FieldFigures& field) {
+  return {{"name", field.name},
+          {"min", list_of(field.min)},
+          {"max", list_of(field.max)},
+          {"integral", list_of(field.integral)}};
 }
 
-void write_metric(JsonWriter& json, const MetricSummary& metric) {
-  json.name(metric.name).begin_object();
-  write_value(json.name("min"), metric.min);
-  write_value(json.name("max"), metric.max);
-  write_value(json.name("mean"), metric.mean);
-  json.name("count").value(metric.count);
-  json.name("missing").value(metric.missing);
-  if (metric.histogram.empty()) {
-    json.name("histogram").null();
-  } else {
-    json.name("histogram").begin_object();
-    write_value(json.name("low"), metric.histogram_low);
-    write_value(json.name("high"), metric.histogram_high);
-    write_integers(json, "counts", metric.histogram);
-    json.end_object();
-  }
-  json.name("worst").begin_array();
-  for (const WorstElement& worst : metric.worst) {
-    json.begin_object();
-    json.name("triangle").value(worst.triangle);
-    write_value(json.name("value"), worst.value);
-    write_values(json, "at", {worst.centroid.x, worst.centroid.y});
-    json.end_object();
-  }
-  json.end_array();
-  json.end_object();
+template <class Figures>
+Json list_of(const std::vector<Figures>& all) {
+  Json list = Json::array();
+  for (const Figures& one : all) list.push_back(to_json(one));
+  return list;
+}
+
+Json to_json(const MetricSummary& metric) {
+  Json histogram;  // null without bins
+  if (!metric.histogram.empty())
+    histogram = {{"low", finite_or_null(metric.histogram_low)},
+                 {"high", finite_or_null(metric.histogram_high)},
+                 {"counts", metric.histogram}};
+  Json worst = Json::array();
+  for (const WorstElement& element : metric.worst)
+    worst.push_back(
+        {{"triangle", element.triangle}, {"value", finite_or_null(element.value)}, {"at", list_of(element.centroid)}});
+  return {{"min", finite_or_null(metric.min)},
+          {"max", finite_or_null(metric.max)},
+          {"mean", finite_or_null(metric.mean)},
+          {"count", metric.count},
+          {"missing", metric.missing},
+          {"histogram", std::move(histogram)},
+          {"worst", std::move(worst)}};
+}
+
+/// All but the metrics.
+Json mesh_figures(const QualityReport& report) {
+  Json figures{{"format", "pliant-quality"},
+               {"version", 1},
+               {"triangles", report.triangles},
+               {"vertices", report.vertices},
+               {"control_points", report.control_points},
+               {"degree", report.degree},
+               {"time", finite_or_null(report.time)},
+               {"area", finite_or_null(report.area)},
+               {"invalid", report.invalid},
+               {"degenerate", report.degenerate}};
+  add_bad_elements(figures, "invalid", report.invalid_elements);
+  add_bad_elements(figures, "degenerate", report.degenerate_elements);
+  figures["overlaps"] = report.overlaps;
+  figures["overlap_places"] = list_of(report.overlap_places);
+  figures["duplicate_points"] = report.duplicate_points;
+  figures["unused_points"] = report.unused_points;
+  figures["faults"] = list_of(report.faults);
+  figures["tangent_jump"] = report.tangent_jump ? finite_or_null(*report.tangent_jump) : Json();
+  figures["faces"] = list_of(report.faces);
+  figures["fields"] = list_of(report.fields);
+  return figures;
 }
 
 }  // namespace
@@ -127,31 +109,9 @@ void write_metric(JsonWriter& json, const MetricSummary& metric) {
 void write_report(const QualityReport& report, std::string& out) {
   JsonWriter json(out);
   json.begin_object();
-  json.name("format").value("pliant-quality");
-  json.name("version").value(1);
-  json.name("triangles").value(report.triangles);
-  json.name("vertices").value(report.vertices);
-  json.name("control_points").value(report.control_points);
-  json.name("degree").value(report.degree);
-  write_value(json.name("time"), report.time);
-  write_value(json.name("area"), report.area);
-  json.name("invalid").value(report.invalid);
-  json.name("degenerate").value(report.degenerate);
-  write_bad_elements(json, "invalid", report.invalid_elements);
-  write_bad_elements(json, "degenerate", report.degenerate_elements);
-  json.name("overlaps").value(report.overlaps);
-  write_overlap_places(json, report.overlap_places);
-  json.name("duplicate_points").value(report.duplicate_points);
-  json.name("unused_points").value(report.unused_points);
-  write_faults(json, report.faults);
-  json.name("tangent_jump");
-  if (report.tangent_jump)
-    write_value(json, *report.tangent_jump);
-  else
-    json.null();
-  write_faces(json, report.faces);
-  write_fields(json, report.fields);
-  for (const MetricSummary& metric : report.metrics) write_metric(json, metric);
+  write_members(json, mesh_figures(report));
+  // One metric at a time: with --worst its list may be as long as the mesh.
+  for (const MetricSummary& metric : report.metrics) write_json(json.name(metric.name), to_json(metric));
   json.end_object();
   out += '\n';
 }

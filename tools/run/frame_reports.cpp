@@ -9,7 +9,7 @@
 #include <optional>
 #include <system_error>
 
-#include "formats/document/write_json.h"
+#include "formats/report/pass_report_json.h"
 #include "pliant/geometry/describe.h"
 #include "run/exit_status.h"
 
@@ -29,22 +29,6 @@ struct FrameReports::State {
 
 namespace {
 
-/// Counts come without a fraction or an exponent; what is not finite is null.
-void append_value(std::string& out, double value) {
-  if (!std::isfinite(value))
-    out += "null";
-  else if (value == std::floor(value) && std::abs(value) < 1e15)
-    append_integer(out, static_cast<std::int64_t>(value));
-  else
-    append_number(out, value);
-}
-
-std::string number(double value) {
-  std::string text;
-  append_value(text, value);
-  return text;
-}
-
 std::string text_of(const char* format, double value) {
   char text[40];
   std::snprintf(text, sizeof text, format, value);
@@ -62,43 +46,6 @@ std::string some_places(const PassReport& report, const std::string& reason, lon
     text += (count > 1 ? ", " : ", at ") + describe_point(refused.place, report.resolution);
   }
   return text + (count > 0 && times > count ? ", ..." : "");
-}
-
-void write_summary(JsonWriter& out, const QualitySummary& summary) {
-  out.begin_object().name("triangles").value(summary.triangles);
-  out.name("invalid").value(summary.invalid).name("degenerate").value(summary.degenerate);
-  out.name("min_logical_angle").raw(number(summary.min_logical_angle));
-  out.name("min_scaled_jacobian").raw(number(summary.min_scaled_jacobian));
-  out.name("min_shape").raw(number(summary.min_shape)).name("max_distortion").raw(number(summary.max_distortion));
-  out.name("fields").begin_array();
-  for (const ComponentSize& size : summary.fields) {
-    out.begin_object().name("name").value(size.field).name("component").value(size.component);
-    out.name("largest").raw(number(size.largest)).name("l2").raw(number(size.l2)).end_object();
-  }
-  out.end_array().end_object();
-}
-
-void write_missed(JsonWriter& out, const MissedGoals& missed) {
-  out.begin_object().name("invalid").value(missed.invalid).name("turned_over").value(missed.turned_over);
-  out.name("too_curved").value(missed.too_curved).name("too_large").value(missed.too_large);
-  out.name("too_poor").value(missed.too_poor).end_object();
-}
-
-void write_change(JsonWriter& out, const QualityChange& quality) {
-  out.name("before");
-  write_summary(out, quality.before);
-  out.name("after");
-  write_summary(out, quality.after);
-  out.name("missed_before");
-  write_missed(out, quality.missed_before);
-  out.name("missed_after");
-  write_missed(out, quality.missed_after);
-  out.name("growth").begin_array();
-  for (const ComponentGrowth& growth : field_growth(quality.before, quality.after)) {
-    out.begin_object().name("name").value(growth.field).name("component").value(growth.component);
-    out.name("largest").raw(number(growth.largest)).name("l2").raw(number(growth.l2)).end_object();
-  }
-  out.end_array();
 }
 
 std::string in_words(const QualitySummary& summary) {
@@ -126,25 +73,7 @@ std::string growth_in_words(const QualityChange& quality) {
 void FrameReports::State::write_line(const Frame& frame, double time, const PassReport& report, const Seconds& seconds,
                                      const QualityChange* quality) const {
   std::string line;
-  JsonWriter out(line);
-  out.begin_object().name("tool").value(options.tool).name("frame").value(static_cast<std::int64_t>(frame.index));
-  out.name("time").raw(number(time)).name("values").begin_object();
-  for (const auto& [name, value] : report.values) out.name(name).raw(number(value));
-  out.end_object().name("refusals").begin_object();
-  for (const auto& [reason, times] : report.refusals) out.name(reason).value(static_cast<std::int64_t>(times));
-  out.end_object().name("refused_at").begin_array();
-  for (const auto& [reason, place] : report.refused_at) {
-    out.begin_object().name("reason").value(reason);
-    out.name("x").raw(number(place.x)).name("y").raw(number(place.y)).end_object();
-  }
-  out.end_array().name("notes").begin_array();
-  for (const std::string& note : report.notes) out.value(note);
-  out.end_array();
-  if (quality != nullptr) write_change(out, *quality);
-  out.name("seconds").begin_object();
-  for (const auto& [name, value] : seconds) out.name(name).raw(text_of("%.6f", value));
-  out.end_object().end_object();
-  line += '\n';
+  write_pass_report({options.tool, frame.index, time, seconds}, report, quality, line);
   if (std::fwrite(line.data(), 1, line.size(), file) != line.size() || std::fflush(file) != 0)
     throw std::system_error(errno, std::generic_category(), options.report);
 }

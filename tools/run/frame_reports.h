@@ -5,19 +5,11 @@
 #include <utility>
 #include <vector>
 
-#include "pliant/improve/missed_goals.h"
-#include "pliant/mesh/pass_report.h"
-#include "pliant/quality/quality_summary.h"
+#include "formats/report/pass_report_json.h"
 #include "run/frame.h"
 #include "run/tool_options.h"
 
 namespace pliant {
-
-/// The mesh that a pass was given, and the one that it left.
-struct QualityChange {
-  QualitySummary before, after;
-  MissedGoals missed_before, missed_after;  ///< of the document's criteria
-};
 
 /// Where --report goes (a JSON line a frame, complete at once) and what -v prints.
 class FrameReports {
