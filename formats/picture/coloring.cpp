@@ -4,16 +4,11 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <numbers>
 #include <stdexcept>
 
 #include "pliant/geometry/control_net.h"
 #include "pliant/geometry/linear_triangle.h"
-#include "pliant/geometry/spline/turning_angle.h"
-#include "pliant/geometry/validity/jacobian.h"
-#include "pliant/geometry/validity/validity.h"
-#include "pliant/quality/edge_curves.h"
-#include "pliant/quality/element/element_quality.h"
+#include "pliant/quality/metrics.h"
 
 namespace pliant {
 namespace {
@@ -34,47 +29,6 @@ constexpr std::array<Colormap, 4> maps{
     {{"viridis", viridis}, {"magma", magma}, {"plasma", plasma}, {"blue-red", blue_red}}};
 constexpr std::array faces{rgb(0x5b8ec9), rgb(0xe58a5c), rgb(0x6fb58a), rgb(0xc76b84), rgb(0x8d7cc0),
                            rgb(0xd9b650), rgb(0x5fb3bd), rgb(0xa88468), rgb(0xd391bd), rgb(0x9aa3ad)};
-
-using Net = std::span<const Point>;
-
-/// The least or greatest value of an edge.
-double of_edges(int degree, Net net, double (*value)(std::span<const Point>), bool greatest) {
-  const NetLayout& layout = NetLayout::of(degree);
-  ValueRange range;
-  std::vector<Point> polygon(static_cast<std::size_t>(degree) + 1);
-  for (int e = 0; e < 3; ++e) {
-    for (int k = 0; k <= degree; ++k)
-      polygon[static_cast<std::size_t>(k)] = net[static_cast<std::size_t>(layout.edge_index(e, k))];
-    range.extend(value(polygon));
-  }
-  return greatest ? range.high : range.low;
-}
-
-struct Metric {
-  std::string_view name, title;
-  double (*value)(int degree, Net net);
-};
-const std::array<Metric, 11> metrics{{
-    {"jacobian", "least det J of the element", [](int p, Net net) { return jacobian_range(p, net).least.lower; }},
-    {"jacobian_max", "largest det J of the element",
-     [](int p, Net net) { return jacobian_range(p, net).greatest.upper; }},
-    {"scaled_jacobian", "scaled Jacobian", scaled_jacobian},
-    {"shape", "least shape τ of the element", curved_shape},
-    {"logical_tau", "shape τ of the logical triangle",
-     [](int, Net net) { return triangle_shape(net[0], net[1], net[2]); }},
-    {"control_tau", "least shape τ of the control net", control_shape},
-    {"distortion", "distortion D", distortion},
-    {"logical_angle", "least logical angle, degrees",
-     [](int, Net net) { return least_angle(net[0], net[1], net[2]) * 180 / std::numbers::pi; }},
-    {"turning_angle", "largest turning of an edge, degrees",
-     [](int p, Net net) { return of_edges(p, net, turning_angle, true) * 180 / std::numbers::pi; }},
-    {"edge_length", "length of the shortest edge",
-     [](int p, Net net) { return of_edges(p, net, curve_length, false); }},
-    {"element_area", "element area", [](int p, Net net) { return element_area(p, net); }},
-}};
-constexpr std::array<std::string_view, 11> names{"jacobian",      "jacobian_max", "scaled_jacobian", "shape",
-                                                 "logical_tau",   "control_tau",  "distortion",      "logical_angle",
-                                                 "turning_angle", "edge_length",  "element_area"};
 
 std::span<const PointId> net_of(const MeshData& mesh, TriangleId t) {
   const auto size = static_cast<std::size_t>(net_size(mesh.degree));
@@ -137,31 +91,20 @@ double ValueRange::place(double value) const {
   return low < high ? (value / 2 - low / 2) / (high / 2 - low / 2) : 0.5;
 }
 
-std::span<const std::string_view> metric_names() { return names; }
-
 ColorBy parse_color_by(const std::string& text) {
   if (text == "none") return {ColorBy::Kind::nothing, {}};
   if (text == "face") return {ColorBy::Kind::face, {}};
   if (text.starts_with("field:")) return {ColorBy::Kind::field, text.substr(6)};
-  if (std::find(names.begin(), names.end(), text) != names.end()) return {ColorBy::Kind::metric, text};
-  std::string known;
-  for (const std::string_view name : names) known.append(", ").append(name);
-  throw std::invalid_argument("'" + text + "' is nothing to colour by; there are none, face, field:NAME[.COMPONENT]" +
-                              known);
+  if (find_report_metric(text) != nullptr) return {ColorBy::Kind::metric, text};
+  throw std::invalid_argument("'" + text + "' is nothing to colour by; there are none, face, field:NAME[.COMPONENT], " +
+                              std::string(metric_list()));
 }
 
 ElementValues::ElementValues(const MeshData& mesh, const ColorBy& by) : mesh_(mesh) {
   if (by.kind == ColorBy::Kind::metric) {
-    const auto metric =
-        std::find_if(metrics.begin(), metrics.end(), [&by](const Metric& each) { return each.name == by.name; });
+    const Metric* metric = find_metric(by.name);
     title_ = metric->title;
-    std::vector<Point> net;
-    for (std::size_t t = 0; t < mesh.triangle_faces.size(); ++t) {
-      net.clear();
-      for (const PointId p : net_of(mesh, static_cast<TriangleId>(t)))
-        net.push_back(mesh.points[static_cast<std::size_t>(p)]);
-      flat_.push_back(metric->value(mesh.degree, net));
-    }
+    flat_ = element_values(mesh, *metric);
     return;
   }
   if (by.kind != ColorBy::Kind::field) return;

@@ -51,8 +51,6 @@ struct ColorBy {
 /// "none", "face", "field:NAME[.COMPONENT]", or the name of a metric.
 /// Throws      std::invalid_argument, with the names there are
 ColorBy parse_color_by(const std::string& text);
-/// The metrics of qualityreport, each a number for an element.
-std::span<const std::string_view> metric_names();
 
 /// The number that colours a mesh: one for each element (a metric: the worst of the element), or a function on it
 /// (a field: one component counted from 0, or the Euclidean length of several).

@@ -3,10 +3,10 @@
 #include "formats/picture/gltf_place.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "pliant/boundary/fault.h"
+#include "pliant/quality/metrics.h"
 
 namespace pliant {
 
@@ -32,8 +32,8 @@ Point GltfPlace::origin_of(const Box& box) const {
 }
 
 bool has_unit(const ColorBy& color) {
-  static constexpr std::array<std::string_view, 4> sized{"jacobian", "jacobian_max", "edge_length", "element_area"};
-  return color.kind == ColorBy::Kind::metric && std::find(sized.begin(), sized.end(), color.name) != sized.end();
+  const Metric* metric = color.kind == ColorBy::Kind::metric ? find_metric(color.name) : nullptr;
+  return metric != nullptr && unit_factor(metric->unit, 2) != 1;
 }
 
 MeshData moved(const MeshData& mesh, const Point& origin) {

@@ -2,14 +2,17 @@
 #include "formats/report/report_html.h"
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <string_view>
 
+#include "formats/document/document_value.h"
 #include "formats/document/write_json.h"
 #include "formats/picture/base64.h"
 #include "formats/picture/coloring.h"
 #include "formats/picture/svg_path.h"
 #include "formats/report/report_json.h"
 #include "formats/report/report_page.h"
+#include "pliant/quality/metrics.h"
 
 namespace pliant {
 namespace {
@@ -26,29 +29,34 @@ void append_script(std::string_view attributes, std::string_view json, std::stri
   out += "</script>\n";
 }
 
-void write_colors(JsonWriter& json, std::string_view name, std::span<const Rgb> colors) {
-  json.name(name).begin_array();
-  for (const Rgb& color : colors) json.value(hex(color));
-  json.end_array();
+Json hex_of(std::span<const Rgb> colors) {
+  Json list = Json::array();
+  for (const Rgb& color : colors) list.push_back(hex(color));
+  return list;
+}
+
+/// What the page calls the metrics: the sign of their unit is all of it that has room.
+Json metric_words() {
+  Json words = Json::object();
+  for (const Metric& metric : all_metrics())
+    words[std::string(metric.name)] = {
+        {"label", metric.label}, {"text", metric.text}, {"unit", metric.unit == Metric::Unit::degrees ? "°" : ""}};
+  return words;
 }
 
 /// The same colours as in pictures (SVG, glTF).
-std::string settings(const HtmlReport::Options& options) {
+Json settings(const HtmlReport::Options& options) {
   constexpr int face_colors = 10;
   std::vector<Rgb> faces;
   for (FaceId f = 0; f < face_colors; ++f) faces.push_back(face_color(f));
-  std::string text;
-  JsonWriter json(text);
-  json.begin_object();
-  json.name("title").value(options.title);
-  json.name("worst").value(options.worst);
-  write_colors(json, "viridis", find_colormap("viridis")->stops);
-  write_colors(json, "faces", faces);
-  json.name("invalid").value(hex(invalid_color));
-  json.name("degenerate").value(hex(degenerate_color));
-  json.name("missing").value(hex(missing_color));
-  json.end_object();
-  return text;
+  return {{"title", options.title},
+          {"worst", options.worst},
+          {"metrics", metric_words()},
+          {"viridis", hex_of(find_colormap("viridis")->stops)},
+          {"faces", hex_of(faces)},
+          {"invalid", hex(invalid_color)},
+          {"degenerate", hex(degenerate_color)},
+          {"missing", hex(missing_color)}};
 }
 
 /// What colours span: the values of the elements that are not invalid, whose numbers would drown the others.
@@ -72,7 +80,7 @@ std::span<const PointId> net_of(const MeshData& mesh, TriangleId t) {
 }
 
 /// Left, low, right, high of the elements' control points; null where there are none.
-void write_box(JsonWriter& json, const MeshData& mesh, const ElementFigures& elements) {
+Json box_of(const MeshData& mesh, const ElementFigures& elements) {
   ValueRange x, y;
   for (const TriangleId t : elements.triangles) {
     for (const PointId p : net_of(mesh, t)) {
@@ -80,27 +88,31 @@ void write_box(JsonWriter& json, const MeshData& mesh, const ElementFigures& ele
       y.extend(mesh.points[static_cast<std::size_t>(p)].y);
     }
   }
-  json.name("box");
-  if (x.is_empty())
-    json.null();
-  else
-    json.begin_array().value(x.low).value(y.low).value(x.high).value(y.high).end_array();
+  if (x.is_empty()) return nullptr;
+  return Json::array({x.low, y.low, x.high, y.high});
 }
 
-/// What the page shows beside the report's own members: where the mesh lies over itself.
-void write_overlaps(JsonWriter& json, const QualityReport& report) {
-  json.name("overlaps").begin_array();
+/// Where the mesh lies over itself.
+Json overlaps_of(const QualityReport& report) {
+  Json list = Json::array();
   for (const OverlapPlace& overlap : report.overlap_places) {
-    json.begin_object().name("triangles").begin_array().value(overlap.first);
-    if (overlap.second != none) json.value(overlap.second);
-    json.end_array();
+    Json triangles = Json::array({overlap.first});
+    if (overlap.second != none) triangles.push_back(overlap.second);
+    Json entry{{"triangles", std::move(triangles)}};
     if (std::isfinite(overlap.place.x) && std::isfinite(overlap.place.y))
-      json.name("at").begin_array().value(overlap.place.x).value(overlap.place.y).end_array();
-    json.end_object();
+      entry["at"] = Json::array({overlap.place.x, overlap.place.y});
+    list.push_back(std::move(entry));
   }
-  json.end_array();
-  json.name("duplicate_points").value(report.duplicate_points);
-  json.name("unused_points").value(report.unused_points);
+  return list;
+}
+
+Json ranges_of(const ElementFigures& elements) {
+  Json ranges = Json::object();
+  for (const ElementColumn& column : elements.columns) {
+    const ValueRange range = range_of(elements, column);
+    ranges[column.name] = range.is_empty() ? Json() : Json::array({range.low, range.high});
+  }
+  return ranges;
 }
 
 /// Small, and of all frames at once in the page's memory: the report, the box, and the ranges of the colours.
@@ -109,19 +121,12 @@ std::string frame_summary(const MeshData& mesh, const QualityReport& report, con
   std::string text, whole_report;
   JsonWriter json(text);
   json.begin_object();
-  json.name("source").value(source);
-  write_box(json, mesh, elements);
-  write_overlaps(json, report);
-  json.name("ranges").begin_object();
-  for (const ElementColumn& column : elements.columns) {
-    const ValueRange range = range_of(elements, column);
-    json.name(column.name);
-    if (range.is_empty())
-      json.null();
-    else
-      json.begin_array().value(range.low).value(range.high).end_array();
-  }
-  json.end_object();
+  write_members(json, {{"source", source},
+                       {"box", box_of(mesh, elements)},
+                       {"overlaps", overlaps_of(report)},
+                       {"duplicate_points", report.duplicate_points},
+                       {"unused_points", report.unused_points},
+                       {"ranges", ranges_of(elements)}});
   write_report(report, whole_report);
   whole_report.pop_back();
   json.name("report").raw(whole_report);
@@ -176,7 +181,9 @@ void HtmlReport::begin(const Options& options, std::string& out) {
   std::string head;
   for (const std::string_view piece : report_page_head()) head += piece;
   out += head.replace(head.find(mark), mark.size(), escape_xml(options.title));
-  append_script("id=\"settings\"", settings(options), out);
+  std::string text;
+  append_json(text, settings(options));
+  append_script("id=\"settings\"", text, out);
 }
 
 void HtmlReport::frame(const MeshData& mesh, const QualityReport& report, const ElementFigures& elements,

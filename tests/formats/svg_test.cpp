@@ -11,6 +11,7 @@
 #include "formats/picture/svg_path.h"
 #include "pliant/geometry/control_net.h"
 #include "pliant/mesh/check_mesh.h"
+#include "pliant/quality/metrics.h"
 #include "support/sample_meshes.h"
 
 namespace pliant {
@@ -133,7 +134,7 @@ TEST_CASE("a picture is well-formed XML in every degree and colouring", "[format
   options.control_net = degree % 2 == 1;
   options.circles = {{{1.5, 0.5}, 0.25}};
   std::vector<std::string> colors{"none", "face", "field:wave", "field:place", "field:place.1"};
-  colors.insert(colors.end(), metric_names().begin(), metric_names().end());
+  for (const Metric* metric : report_metrics()) colors.emplace_back(metric->name);
   for (const std::string& color : colors) {
     CAPTURE(degree, color);
     const std::string text = svg_of(mesh, color, options);

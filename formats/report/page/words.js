@@ -1,28 +1,18 @@
-// words.js: names of the metrics for people, and numbers as text.
+// words.js: names of what elements are coloured by, for people, and numbers as text.
 
-const metricWords = {
-  jacobian: ['least det J', 'A guaranteed lower bound of the Jacobian determinant; positive on every valid element.'],
-  jacobian_max: ['greatest det J', 'A guaranteed upper bound of the Jacobian determinant.'],
-  scaled_jacobian:
-      ['scaled Jacobian', 'Least over greatest |det J|: 1 where it is constant, negative where the element folds.'],
-  shape: [
-    'shape \u03c4', 'Guaranteed least \u03c4 on the element: 1 if everywhere like an equilateral triangle, 0 if flat.'
-  ],
-  logical_tau: ['logical \u03c4', '\u03c4 of the straight triangle on the corners.'],
-  control_tau: ['control-net \u03c4', 'Least \u03c4 of the straight triangles of the control net.'],
-  distortion: ['distortion D', 'Mean square of det J over its squared mean: 1 if det J is constant.'],
-  logical_angle: ['least angle', 'Least angle of the straight triangle on the corners.', '\u00b0'],
-  turning_angle: ['turning angle', 'The most that the control polygon of an edge turns.', '\u00b0'],
-  edge_length: ['shortest edge', 'Arc length of the shortest edge.'],
-  edge_length_max: ['longest edge', 'Arc length of the longest edge.'],
-  element_area: ['area', 'Signed area of the element.'],
-  face: ['face', 'The region of the boundary that the element belongs to.'],
-  validity:
-      ['validity', 'Valid and invalid are proved for the numbers as stored; degenerate elements touch det J = 0.'],
+// The metrics' own words come with the data.
+const otherWords = {
+  face: {label: 'face', text: 'The region of the boundary that the element belongs to.', unit: ''},
+  validity: {
+    label: 'validity',
+    text: 'Valid and invalid are proved for the numbers as stored; degenerate elements touch det J = 0.',
+    unit: ''
+  },
 };
-const metricTitle = (name) => (metricWords[name] ?? [name])[0];
-const metricText = (name) => (metricWords[name] ?? ['', ''])[1];
-const metricUnit = (name) => (metricWords[name] ?? [])[2] ?? '';
+const wordsOf = (name) => settings.metrics[name] ?? otherWords[name] ?? {label: name, text: '', unit: ''};
+const metricTitle = (name) => wordsOf(name).label;
+const metricText = (name) => wordsOf(name).text;
+const metricUnit = (name) => wordsOf(name).unit;
 const validityWords = ['valid', 'degenerate', 'invalid'];
 
 const count = (number) => number.toLocaleString('en-US');

@@ -11,20 +11,7 @@
 namespace pliant {
 namespace {
 
-constexpr double of_data = std::numeric_limits<double>::quiet_NaN();
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
-constexpr std::array<MetricSpec, metric_count> specs{{{"jacobian", true, of_data, of_data},
-                                                      {"jacobian_max", false, of_data, of_data},
-                                                      {"scaled_jacobian", true, -1, 1},
-                                                      {"shape", true, 0, 1},
-                                                      {"logical_tau", true, 0, 1},
-                                                      {"control_tau", true, 0, 1},
-                                                      {"distortion", false, 1, of_data},
-                                                      {"logical_angle", true, 0, 60},
-                                                      {"turning_angle", false, 0, of_data},
-                                                      {"edge_length", true, of_data, of_data},
-                                                      {"element_area", true, of_data, of_data}}};
 
 /// Least, greatest and sum of some values that are finite; without branches, four at a time.
 struct Extent {
@@ -46,8 +33,6 @@ Extent extent_of(std::span<const double> values) {
 
 }  // namespace
 
-const MetricSpec& metric_spec(int metric) { return specs[static_cast<std::size_t>(metric)]; }
-
 void Summariser::Histogram::add(std::span<const double> values) {
   // Halves, for the whole width may overflow.
   const double half_width = high / 2 - low / 2, half_low = low / 2;
@@ -60,17 +45,17 @@ void Summariser::Histogram::add(std::span<const double> values) {
   }
 }
 
-Summariser::Summariser(const MetricSpec& spec, int bins, int worst, bool keeps_values, std::size_t expected)
-    : spec_(spec),
+Summariser::Summariser(const Metric& metric, int bins, int worst, bool keeps_values, std::size_t expected)
+    : metric_(&metric),
       bins_(std::max(bins, 0)),
       most_(static_cast<std::size_t>(std::max(worst, 0))),
-      has_range_(!std::isnan(spec.low) && !std::isnan(spec.high)),
+      has_range_(!std::isnan(metric.low) && !std::isnan(metric.high)),
       keeps_values_(keeps_values || (bins_ > 0 && !has_range_)) {
   if (keeps_values_) values_.reserve(expected);
   if (!has_range_ || bins_ == 0) return;
-  narrow_ = {spec.low, spec.high, std::vector<std::array<std::int64_t, 4>>(static_cast<std::size_t>(bins_))};
+  narrow_ = {metric.low, metric.high, std::vector<std::array<std::int64_t, 4>>(static_cast<std::size_t>(bins_))};
   // A tau may be negative, but is at least -1.
-  if (spec.low == 0 && spec.high == 1) wide_ = {-1, 1, narrow_.counts};
+  if (metric.low == 0 && metric.high == 1) wide_ = {-1, 1, narrow_.counts};
 }
 
 void Summariser::add(std::span<const double> values) {
@@ -96,8 +81,8 @@ void Summariser::add(std::span<const double> values) {
     min_ = std::min(min_, extent.min);
     max_ = std::max(max_, extent.max);
     sum_ += std::isfinite(extent.sum) ? extent.sum : std::accumulate(block.begin(), block.end(), 0.0L);
-    const double sign = spec_.worst_is_least ? 1 : -1;
-    const double worst_here = sign * (spec_.worst_is_least ? extent.min : extent.max);
+    const double sign = metric_->worst_is_least ? 1 : -1;
+    const double worst_here = sign * (metric_->worst_is_least ? extent.min : extent.max);
     if (most_ == 0 || (heap_.size() == most_ && worst_here >= heap_.front().first)) continue;
     for (std::size_t k = 0; k < all.size(); ++k)
       if (std::isfinite(all[k])) see_worst({sign * all[k], first + done + k});
@@ -116,7 +101,7 @@ void Summariser::see_worst(const std::pair<double, std::size_t>& entry) {
 
 MetricSummary Summariser::finish() {
   MetricSummary summary;
-  summary.name = spec_.name;
+  summary.name = metric_->name;
   summary.missing = missing_;
   summary.count = static_cast<std::int64_t>(count_) - missing_;
   const bool is_empty = summary.count == 0;
@@ -127,8 +112,8 @@ MetricSummary Summariser::finish() {
     Histogram& histogram = !wide_.counts.empty() && min_ < 0 ? wide_ : narrow_;
     if (!has_range_) {
       const auto bound = [&](double fixed, double of_values) { return std::isnan(fixed) ? of_values : fixed; };
-      histogram.low = bound(spec_.low, is_empty ? 0 : min_);
-      histogram.high = std::max(bound(spec_.high, is_empty ? histogram.low : max_), histogram.low);
+      histogram.low = bound(metric_->low, is_empty ? 0 : min_);
+      histogram.high = std::max(bound(metric_->high, is_empty ? histogram.low : max_), histogram.low);
       histogram.counts.resize(static_cast<std::size_t>(bins_));
       histogram.add(values_);
     }
@@ -138,7 +123,7 @@ MetricSummary Summariser::finish() {
   }
   std::sort_heap(heap_.begin(), heap_.end());
   for (const auto& [value, place] : heap_)
-    summary.worst.push_back({static_cast<TriangleId>(place), spec_.worst_is_least ? value : -value, {}});
+    summary.worst.push_back({static_cast<TriangleId>(place), metric_->worst_is_least ? value : -value, {}});
   return summary;
 }
 

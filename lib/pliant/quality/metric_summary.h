@@ -7,39 +7,17 @@
 #include <utility>
 #include <vector>
 
+#include "pliant/quality/metrics.h"
 #include "pliant/quality/quality_report.h"
 
 namespace pliant {
-
-/// How a metric is presented.
-struct MetricSpec {
-  const char* name;
-  bool worst_is_least;
-  double low, high;  ///< of the histogram; where a bound is NaN the data's own is taken
-};
-/// The metrics in the order of the report.
-enum Metric {
-  jacobian_metric,
-  jacobian_max_metric,
-  scaled_jacobian_metric,
-  shape_metric,
-  logical_tau_metric,
-  control_tau_metric,
-  distortion_metric,
-  logical_angle_metric,
-  turning_angle_metric,
-  edge_length_metric,
-  element_area_metric,
-  metric_count
-};
-const MetricSpec& metric_spec(int metric);
 
 /// Sums up the values of one metric, some at a time (NaN: does not exist). Where the worst are is the caller's to say:
 /// `triangle` is the place of the value among all, and of equal ones the first is the worst. A fixed range of the
 /// histogram is widened where values lie outside it; for the others, and where `keeps_values`, values are kept.
 class Summariser {
  public:
-  Summariser(const MetricSpec& spec, int bins, int worst, bool keeps_values, std::size_t expected);
+  Summariser(const Metric& metric, int bins, int worst, bool keeps_values, std::size_t expected);
   void add(std::span<const double> values);
   MetricSummary finish();
   /// What was added, if values are kept.
@@ -56,7 +34,7 @@ class Summariser {
   };
   void see_worst(const std::pair<double, std::size_t>& entry);
 
-  MetricSpec spec_;
+  const Metric* metric_;
   int bins_;
   std::size_t most_;
   bool has_range_, keeps_values_;

@@ -32,22 +32,6 @@ std::vector<bool> chosen_faces(const BoundaryComplex& boundary, const std::vecto
   return chosen;
 }
 
-struct MetricMember {
-  Metric metric;
-  double ElementMeasures::*member;
-};
-constexpr std::array<MetricMember, metric_count - 1> members{
-    {{jacobian_metric, &ElementMeasures::jacobian},
-     {jacobian_max_metric, &ElementMeasures::jacobian_max},
-     {scaled_jacobian_metric, &ElementMeasures::scaled_jacobian},
-     {shape_metric, &ElementMeasures::shape},
-     {logical_tau_metric, &ElementMeasures::logical_tau},
-     {control_tau_metric, &ElementMeasures::control_tau},
-     {distortion_metric, &ElementMeasures::distortion},
-     {logical_angle_metric, &ElementMeasures::logical_angle},
-     {turning_angle_metric, &ElementMeasures::turning_angle},
-     {element_area_metric, &ElementMeasures::area}}};
-
 class Reporter {
  public:
   Reporter(const MeshData& data, const QualityOptions& options)
@@ -71,11 +55,12 @@ class Reporter {
     measure_elements(half_edges, elements != nullptr);
     measure_points(half_edges.is_sound());
     report_.fields = field_figures(data_, chosen_);
-    for (int m = 0; m < metric_count; ++m) {
-      MetricSummary summary = metrics_[index(m)].finish();
+    for (std::size_t m = 0; m < metrics_.size(); ++m) {
+      MetricSummary summary = metrics_[m].finish();
       for (WorstElement& worst : summary.worst) {
         const auto place = index(worst.triangle);
-        worst.triangle = m == edge_length_metric ? triangle_of_edge(place) : chosen_[place];
+        const bool is_edge = report_metrics()[m]->per == Metric::Per::edge;
+        worst.triangle = is_edge ? triangle_of_edge(place) : chosen_[place];
         worst.centroid = barycentre(worst.triangle);
       }
       report_.metrics.push_back(std::move(summary));
@@ -153,20 +138,28 @@ class Reporter {
   void measure_elements(const HalfEdges& half_edges, bool lists_elements) {
     const std::size_t edges = assign_edges(half_edges);
     for (const Face& face : data_.boundary.faces) figures_.push_back({face.name});
-    for (int m = 0; m < metric_count; ++m)
-      metrics_.emplace_back(metric_spec(m), options_.bins, options_.worst, lists_elements,
-                            m == edge_length_metric ? edges : chosen_.size());
-    if (lists_elements) validity_.reserve(chosen_.size());
+    for (const Metric* metric : report_metrics())
+      metrics_.emplace_back(*metric, options_.bins, options_.worst, lists_elements,
+                            metric->per == Metric::Per::edge ? edges : chosen_.size());
+    if (lists_elements) {
+      validity_.reserve(chosen_.size());
+      columns_.resize(all_metrics().size());
+    }
     std::vector<double> column;
     const auto take = [&](std::size_t first, std::span<const ElementMeasures> measures) {
-      for (const auto& [metric, member] : members) {
-        column.clear();
-        for (const ElementMeasures& of_element : measures) column.push_back(of_element.*member);
-        metrics_[metric].add(column);
-      }
       lengths_.clear();
       for (std::size_t k = 0; k < measures.size(); ++k) take_element(chosen_[first + k], measures[k], lists_elements);
-      metrics_[edge_length_metric].add(lengths_);
+      std::size_t summarised = 0;
+      for (std::size_t m = 0; m < all_metrics().size(); ++m) {
+        const Metric& metric = all_metrics()[m];
+        const bool is_of_elements = metric.per == Metric::Per::element;
+        if (is_of_elements || lists_elements) {
+          column.clear();
+          for (const ElementMeasures& of_element : measures) column.push_back(of_element.*metric.value);
+        }
+        if (metric.per != Metric::Per::table_entry) metrics_[summarised++].add(is_of_elements ? column : lengths_);
+        if (!is_of_elements && lists_elements) columns_[m].insert(columns_[m].end(), column.begin(), column.end());
+      }
     };
     pliant::measure_elements(data_, chosen_, options_.jacobian_width, take);
     report_.triangles = std::ssize(chosen_);
@@ -185,10 +178,7 @@ class Reporter {
       if ((role & of_perimeter) != 0) figures.perimeter += length;
       if ((role & of_edge) != 0) lengths_.push_back(length);
     }
-    if (!lists_elements) return;
-    validity_.push_back(measures.validity);
-    shortest_.push_back(*std::ranges::min_element(measures.edge_length));
-    longest_.push_back(*std::ranges::max_element(measures.edge_length));
+    if (lists_elements) validity_.push_back(measures.validity);
   }
 
   void list(TriangleId t, std::int64_t& count, std::vector<BadElement>& listed) {
@@ -197,12 +187,12 @@ class Reporter {
 
   ElementFigures list_elements() {
     ElementFigures elements{chosen_, validity_, {}};
-    for (int m = 0; m < metric_count; ++m) {
-      const MetricSpec& spec = metric_spec(m);
-      const bool is_length = m == edge_length_metric;
-      elements.columns.push_back(
-          {spec.name, spec.worst_is_least, std::move(is_length ? shortest_ : metrics_[index(m)].values())});
-      if (is_length) elements.columns.push_back({"edge_length_max", false, std::move(longest_)});
+    std::size_t summarised = 0;
+    for (std::size_t m = 0; m < all_metrics().size(); ++m) {
+      const Metric& metric = all_metrics()[m];
+      std::vector<double>& values = metric.per == Metric::Per::element ? metrics_[summarised].values() : columns_[m];
+      if (metric.per != Metric::Per::table_entry) ++summarised;
+      elements.columns.push_back({std::string(metric.name), metric.worst_is_least, std::move(values)});
     }
     return elements;
   }
@@ -224,9 +214,9 @@ class Reporter {
   std::vector<Summariser> metrics_;  // of edge lengths a value an edge, of all else an element
   std::vector<char> roles_;          // of half-edges
   std::vector<double> lengths_;      // scratch
-  // Of each chosen element, if asked for.
+  // Of each chosen element, where single elements are asked for.
   std::vector<Validity> validity_;
-  std::vector<double> shortest_, longest_;
+  std::vector<std::vector<double>> columns_;  // of the metrics whose summary is not of elements
   std::array<Point, net_size(max_degree)> net_;
   QualityReport report_;
 };

@@ -67,10 +67,7 @@ struct QualityReport {
   std::optional<double> tangent_jump;
   std::vector<FaceFigures> faces;
   std::vector<FieldFigures> fields;
-  /// jacobian (least det J), jacobian_max (largest), scaled_jacobian, shape, logical_tau, control_tau, distortion,
-  /// logical_angle (the least), turning_angle (the largest), edge_length (a value an edge), element_area, in this
-  /// order.
-  std::vector<MetricSummary> metrics;
+  std::vector<MetricSummary> metrics;  ///< those of report_metrics(), in its order
 };
 struct QualityOptions {
   int worst = 5;

@@ -1,21 +1,13 @@
 // lib/pliant/quality/report_unit.cpp: the figures of a mesh in the units of its document.
-#include <array>
 #include <string_view>
-#include <utility>
 
+#include "pliant/quality/metrics.h"
 #include "pliant/quality/quality_report.h"
 
 namespace pliant {
 namespace {
 
-/// By which a metric's values grow where lengths grow by `unit`.
-double factor_of(std::string_view metric, double unit) {
-  constexpr std::array<std::pair<std::string_view, int>, 5> dimensions{
-      {{"jacobian", 2}, {"jacobian_max", 2}, {"edge_length", 1}, {"edge_length_max", 1}, {"element_area", 2}}};
-  for (const auto& [name, dimension] : dimensions)
-    if (name == metric) return dimension == 2 ? unit * unit : unit;
-  return 1;
-}
+double factor_of(std::string_view metric, double unit) { return unit_factor(find_metric(metric)->unit, unit); }
 
 }  // namespace
 

@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "pliant/quality/metric_summary.h"
+#include "pliant/quality/metrics.h"
 
 namespace pliant {
 namespace {
@@ -36,12 +36,6 @@ std::string_view trimmed(std::string_view text) {
   const auto first = text.find_first_not_of(blank);
   if (first == std::string_view::npos) return {};
   return text.substr(first, text.find_last_not_of(blank) - first + 1);
-}
-
-std::string metric_list() {
-  std::string list;
-  for (int m = 0; m < metric_count; ++m) list += (m == 0 ? "" : ", ") + std::string(metric_spec(m).name);
-  return list;
 }
 
 }  // namespace
@@ -75,9 +69,8 @@ Condition::Condition(const std::string& text) : text_(trimmed(text)) {
       if (scalar.name == key_) return;
       list += (list.empty() ? "" : ", ") + std::string(scalar.name);
     }
-    for (int m = 0; m < metric_count; ++m)
-      if (key_ == metric_spec(m).name)
-        fail("say which value of the metric: min(" + key_ + "), max(" + key_ + ") or mean(" + key_ + ")");
+    if (find_report_metric(key_) != nullptr)
+      fail("say which value of the metric: min(" + key_ + "), max(" + key_ + ") or mean(" + key_ + ")");
     fail("\"" + key_ + "\" is none of " + list + ", min(METRIC), max(METRIC), mean(METRIC)");
   }
   const std::string_view function = trimmed(key.substr(0, open));
@@ -91,9 +84,8 @@ Condition::Condition(const std::string& text) : text_(trimmed(text)) {
     statistic_ = Statistic::mean;
   else
     fail("\"" + std::string(function) + "\" is none of min, max, mean");
-  for (int m = 0; m < metric_count; ++m)
-    if (key_ == metric_spec(m).name) return;
-  fail("\"" + key_ + "\" is no metric; there are " + metric_list());
+  if (find_report_metric(key_) == nullptr)
+    fail("\"" + key_ + "\" is no metric; there are " + std::string(metric_list()));
 }
 
 std::optional<double> Condition::value(const QualityReport& report) const {

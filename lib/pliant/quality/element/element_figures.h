@@ -16,8 +16,7 @@ struct ElementColumn {
 };
 
 /// What tables (CSV) and pages (HTML) show of each element; entry k of every vector belongs to triangles[k].
-/// Columns, in this order: jacobian, jacobian_max, scaled_jacobian, shape, logical_tau, control_tau, distortion,
-/// logical_angle, turning_angle, edge_length (the shortest edge), edge_length_max (the longest), element_area.
+/// The columns are those of all_metrics(), in its order.
 struct ElementFigures {
   std::vector<TriangleId> triangles;
   std::vector<Validity> validity;

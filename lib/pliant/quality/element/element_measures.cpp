@@ -39,19 +39,28 @@ void gather(const MeshData& data, std::span<const TriangleId> elements, Quadrati
   }
 }
 
+void find_extreme_edges(ElementMeasures& measures) {
+  measures.shortest_edge = *std::ranges::min_element(measures.edge_length);
+  measures.longest_edge = *std::ranges::max_element(measures.edge_length);
+}
+
 ElementMeasures lane(const QuadraticBlock& block, std::size_t l) {
-  return {Validity::valid,
-          block.jacobian[l],
-          block.jacobian_max[l],
-          block.scaled_jacobian[l],
-          block.shape[l],
-          block.logical_tau[l],
-          block.control_tau[l],
-          block.distortion[l],
-          degrees * std::atan2(block.angle_sine[l], block.angle_cosine[l]),
-          degrees * turn_of(block.turn_sine[l], block.turn_cosine[l]),
-          block.area[l],
-          {block.edge_length[0][l], block.edge_length[1][l], block.edge_length[2][l]}};
+  ElementMeasures measures{Validity::valid,
+                           block.jacobian[l],
+                           block.jacobian_max[l],
+                           block.scaled_jacobian[l],
+                           block.shape[l],
+                           block.logical_tau[l],
+                           block.control_tau[l],
+                           block.distortion[l],
+                           degrees * std::atan2(block.angle_sine[l], block.angle_cosine[l]),
+                           degrees * turn_of(block.turn_sine[l], block.turn_cosine[l]),
+                           block.area[l],
+                           {block.edge_length[0][l], block.edge_length[1][l], block.edge_length[2][l]},
+                           0,
+                           0};
+  find_extreme_edges(measures);
+  return measures;
 }
 
 }  // namespace
@@ -74,6 +83,7 @@ ElementMeasures measure_element(const BoundaryComplex& boundary, int degree, std
   measures.turning_angle = degrees * element_turning(degree, net);
   measures.area = forms.unscaled(forms.mean_jacobian()) / 2;
   for (int e = 0; e < 3; ++e) measures.edge_length[index(e)] = edge_length(degree, net, e);
+  find_extreme_edges(measures);
   return measures;
 }
 

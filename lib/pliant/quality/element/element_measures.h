@@ -15,6 +15,7 @@ struct ElementMeasures {
   double jacobian, jacobian_max;  ///< guaranteed bounds of min and max det J, from below and from above
   double scaled_jacobian, shape, logical_tau, control_tau, distortion, logical_angle, turning_angle, area;
   std::array<double, 3> edge_length;  ///< arc lengths of edges 12, 23, 31
+  double shortest_edge, longest_edge;
 };
 /// Requires    net: net_size(degree) finite points in the order of NetLayout
 ElementMeasures measure_element(const BoundaryComplex& boundary, int degree, std::span<const Point> net,
