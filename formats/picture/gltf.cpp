@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <numbers>
 #include <sstream>
 #include <utility>
@@ -11,6 +12,7 @@
 #define TINYGLTF_NO_STB_IMAGE_WRITE
 #include <tiny_gltf.h>
 
+#include "formats/document/document_value.h"
 #include "formats/picture/gltf_buffer.h"
 #include "formats/picture/gltf_place.h"
 #include "formats/picture/mesh_edges.h"
@@ -36,6 +38,35 @@ tinygltf::Primitive primitive(int positions, int indices, int material, int mode
   result.material = material;
   result.mode = mode;
   return result;
+}
+
+/// What other programs may read beside the scene: JSON, in the values of the writer of glTF, which sorts members.
+Value extras_of(const Json& json) {
+  switch (json.type()) {
+    case Json::value_t::object: {
+      Value::Object members;
+      for (const auto& [name, member] : json.get_ref<const Json::object_t&>()) members[name] = extras_of(member);
+      return Value(std::move(members));
+    }
+    case Json::value_t::array: {
+      Value::Array elements;
+      for (const Json& element : json) elements.push_back(extras_of(element));
+      return Value(std::move(elements));
+    }
+    case Json::value_t::string:
+      return Value(json.get<std::string>());
+    case Json::value_t::boolean:
+      return Value(json.get<bool>());
+    case Json::value_t::number_integer:
+    case Json::value_t::number_unsigned:
+      // Its integers have 32 bits.
+      if (json == json.get<int>()) return Value(json.get<int>());
+      return Value(json.get<double>());
+    case Json::value_t::number_float:
+      return Value(json.get<double>());
+    default:
+      return {};
+  }
 }
 
 }  // namespace
@@ -255,10 +286,10 @@ void GltfWriter::add(const MeshData& mesh) {
     frame.translation = {shift.x, shift.y, 0};
   // A viewer that plays no animation shows the first frame.
   if (!s.frames.empty()) frame.scale = {0, 0, 0};
-  frame.extras = Value(Value::Object{{"time", Value(mesh.time)},
-                                     {"elements", Value(static_cast<int>(mesh.triangle_faces.size()))},
-                                     {"invalid", Value(static_cast<int>(bad.invalid.size()))},
-                                     {"degenerate", Value(static_cast<int>(bad.degenerate.size()))}});
+  frame.extras = extras_of({{"time", mesh.time},
+                            {"elements", mesh.triangle_faces.size()},
+                            {"invalid", bad.invalid.size()},
+                            {"degenerate", bad.degenerate.size()}});
   s.model.nodes.push_back(std::move(frame));
   s.frames.push_back(static_cast<int>(s.model.nodes.size()) - 1);
 }
@@ -284,10 +315,8 @@ std::string GltfWriter::finish(bool binary) {
   s.model.asset.generator = "Pliant export-gltf";
   const ValueRange shown = s.options.range.value_or(s.range);
   if (!s.title.empty() && !shown.is_empty())
-    s.model.asset.extras = Value(Value::Object{{"color", Value(s.title)},
-                                               {"low", Value(shown.low)},
-                                               {"high", Value(shown.high)},
-                                               {"colormap", Value(std::string(s.options.map->name))}});
+    s.model.asset.extras =
+        extras_of({{"color", s.title}, {"low", shown.low}, {"high", shown.high}, {"colormap", s.options.map->name}});
   s.model.extensionsUsed = {"KHR_materials_unlit"};
   if (s.options.quantize) {
     s.model.extensionsUsed.emplace_back("KHR_mesh_quantization");
