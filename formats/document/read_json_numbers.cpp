@@ -1,9 +1,11 @@
 // formats/document/read_json_numbers.cpp: numbers by the grammar of RFC 8259, one or many.
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
+#include <cstring>
 #include <limits>
 #include <optional>
 
@@ -18,6 +20,21 @@ bool is_digit(char c) { return c >= '0' && c <= '9'; }
 constexpr std::array<double, 23> exact_powers = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,  1e9,  1e10, 1e11,
                                                  1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
 constexpr std::uint64_t exact_integers = std::uint64_t{1} << 53;
+
+/// The value of the eight bytes at `p` if all are digits; they are the digits of one word, and worked on side by side.
+std::optional<std::uint64_t> eight_digits(const char* p) {
+  if constexpr (std::endian::native != std::endian::little) return {};
+  std::uint64_t word;
+  std::memcpy(&word, p, sizeof word);
+  constexpr std::uint64_t high_halves = 0xF0F0F0F0F0F0F0F0;
+  const std::uint64_t carried = word + 0x0606060606060606;  // bytes above '9' change their high half
+  if (((word & high_halves) | (carried & high_halves) >> 4) != 0x3333333333333333) return {};
+  word -= 0x3030303030303030;
+  word = word * 10 + (word >> 8);  // pairs of digits, in every other byte
+  constexpr std::uint64_t pairs = 0x000000FF000000FF;
+  constexpr std::uint64_t first_weights = 100 + (1000000ULL << 32), second_weights = 1 + (10000ULL << 32);
+  return ((word & pairs) * first_weights + ((word >> 16) & pairs) * second_weights) >> 32;
+}
 
 /// The parts of a number's text: its end, and its value as mantissa * 10^exponent where `digits` <= 19.
 struct Scanned {
@@ -49,7 +66,12 @@ Scanned scan_number(const char* p, const char* end) {
   if (p != end && *p == '.') {
     ++p;
     s.integral = false;
-    const std::ptrdiff_t fraction = eat_digits();
+    const char* first_of_fraction = p;
+    constexpr std::ptrdiff_t block = 8;
+    for (std::optional<std::uint64_t> eight; end - p >= block && (eight = eight_digits(p)); p += block)
+      s.mantissa = 100'000'000 * s.mantissa + *eight;
+    eat_digits();
+    const std::ptrdiff_t fraction = p - first_of_fraction;
     if (fraction == 0) return stop("a number needs a digit after its point");
     s.digits += fraction;
     s.exponent = -static_cast<long>(fraction);
@@ -103,6 +125,12 @@ double JsonReader::read_number() {
 }
 
 std::int32_t JsonReader::read_integer() {
+  // Nearly all are indices in an array: at most nine digits, which fit, before a comma or a bracket.
+  const char* p = at_;
+  std::int32_t index = 0;
+  for (const char* last = end_ - p > 9 ? p + 9 : end_; p != last && is_digit(*p); ++p) index = 10 * index + (*p - '0');
+  const bool has_leading_zero = p - at_ > 1 && *at_ == '0';
+  if (p != at_ && p != end_ && (*p == ',' || *p == ']') && !has_leading_zero) return at_ = p, index;
   const Scanned s = scan_number(at_, end_);
   constexpr auto limit = static_cast<std::uint64_t>(std::numeric_limits<std::int32_t>::max());
   if (s.fault == nullptr && s.integral && s.digits <= 19 && s.mantissa <= limit) {

@@ -215,6 +215,23 @@ TEST_CASE("integers may be written as any number of that value, within 32 bits",
   }
 }
 
+TEST_CASE("arrays of integers take what single integers take, whatever follows each", "[formats]") {
+  const auto read = [](const std::string& text) {
+    std::vector<std::int32_t> all;
+    JsonReader in(text);
+    in.integers(all);
+    in.finish();
+    return all;
+  };
+  CHECK(read("[0,7 ,-3,123456789,1234567890, 2147483647,2.0,1e2,0]") ==
+        std::vector<std::int32_t>{0, 7, -3, 123456789, 1234567890, 2147483647, 2, 100, 0});
+  for (const char* text : {"[00]", "[007,1]", "[012345678]", "[2147483648]", "[9999999999]", "[1.5]", "[-]", "[1", "[1,]",
+                           "[1 2]", "[1:2]", "[1]]", "[123456789", "[12a]"}) {
+    CAPTURE(text);
+    CHECK_THROWS_AS(read(text), InputError);
+  }
+}
+
 TEST_CASE("strings are UTF-8 and survive a round trip", "[formats]") {
   for (const std::string& text : {std::string("plain"), std::string("\"\\/\b\f\n\r\t\x01\x1F\x7F"),
                                   std::string("\0nul", 4), std::string("é€😀")}) {
