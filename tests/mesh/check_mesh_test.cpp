@@ -289,3 +289,14 @@ TEST_CASE("a control point far outside does not hide that an edge is off its cur
   REQUIRE(faults.size() == 1);
   CHECK(faults[0].invariant == "M4");
 }
+
+TEST_CASE("a mesh far from the origin has no faults, moved by more than its rounding it has", "[mesh][check]") {
+  const int degree = GENERATE(1, 2, 3, 4, 5);
+  const double offset = GENERATE(1e3, 1e6, 2e9);
+  CAPTURE(degree, offset);
+  MeshData data = samples::disk(degree, 8, {offset, offset / 3});
+  CHECK(check_structure(data).empty());
+  const double unit = offset * 0x1p-52;
+  data.points[static_cast<std::size_t>(data.constrained_edges[0].points[0])].x += 64 * unit;
+  if (64 * unit > 1e-11) CHECK_FALSE(check_structure(data).empty());
+}

@@ -18,7 +18,9 @@ import tempfile
 import time
 from pathlib import Path
 
-from repair_cases import Tools, closed_spline, document_order, integrals, polygon_domain
+from field_integrals import document_order, integrals
+from random_cases import closed_spline, polygon_domain
+from repair_cases import Tools
 
 RADIUS_SQUARED = 1.44  # of the vortex
 FLOW = ["--vx", f"-(y-1.5)*max(0,1-((x-1.5)^2+(y-1.5)^2)/{RADIUS_SQUARED})^2",
