@@ -1,4 +1,5 @@
 // lib/pliant/geometry/interpolate_net.cpp: nodal values to control values (declared in control_net.h).
+#include <Eigen/LU>
 #include <array>
 #include <cassert>
 #include <cmath>
@@ -14,35 +15,14 @@
 namespace pliant {
 namespace {
 
-/// The inverse of an n x n matrix, row-major, by Gauss-Jordan with row exchanges.
+/// The inverse of an n x n matrix, row-major.
 std::vector<double> inverse(int n, const std::vector<double>& matrix) {
-  std::vector<long double> a(matrix.begin(), matrix.end());
-  std::vector<long double> b(index(n * n), 0.0L);
-  for (int r = 0; r < n; ++r) b[index(r * n + r)] = 1;
-  for (int c = 0; c < n; ++c) {
-    int pivot = c;
-    for (int r = c + 1; r < n; ++r)
-      if (std::fabs(a[index(r * n + c)]) > std::fabs(a[index(pivot * n + c)])) pivot = r;
-    for (int x = 0; x < n; ++x) {
-      std::swap(a[index(c * n + x)], a[index(pivot * n + x)]);
-      std::swap(b[index(c * n + x)], b[index(pivot * n + x)]);
-    }
-    const long double scale = 1 / a[index(c * n + c)];
-    for (int x = 0; x < n; ++x) {
-      a[index(c * n + x)] *= scale;
-      b[index(c * n + x)] *= scale;
-    }
-    for (int r = 0; r < n; ++r) {
-      const long double factor = a[index(r * n + c)];
-      if (r == c || factor == 0) continue;
-      for (int x = 0; x < n; ++x) {
-        a[index(r * n + x)] -= factor * a[index(c * n + x)];
-        b[index(r * n + x)] -= factor * b[index(c * n + x)];
-      }
-    }
-  }
-  std::vector<double> result;
-  for (const long double x : b) result.push_back(static_cast<double>(x));
+  // long double: the inverse's entries are doubles to the last bit or so.
+  using Exact = Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  using Rounded = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  const Exact exact = Eigen::Map<const Rounded>(matrix.data(), n, n).cast<long double>();
+  std::vector<double> result(matrix.size());
+  Eigen::Map<Rounded>(result.data(), n, n) = exact.inverse().cast<double>();
   return result;
 }
 

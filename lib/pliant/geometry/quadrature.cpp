@@ -1,6 +1,7 @@
 // lib/pliant/geometry/quadrature.cpp: symmetric and collapsed Gauss rules.
 #include "pliant/geometry/quadrature.h"
 
+#include <Eigen/Eigenvalues>
 #include <array>
 #include <cassert>
 #include <cmath>
@@ -17,69 +18,35 @@ namespace {
 constexpr int greatest_exact_degree = 40;
 using Real = long double;  // so that nodes and weights are doubles to the last bit or so
 
-/// A polynomial's value and derivative at a point of [-1, 1].
-struct Value {
-  Real value, slope;
-};
-
-Value legendre(int n, Real x) {
-  Value before{0, 0};
-  Value now{1, 0};
-  for (int m = 1; m <= n; ++m) {
-    const Value next{((2 * m - 1) * x * now.value - (m - 1) * before.value) / m,
-                     before.slope + (2 * m - 1) * now.value};
-    before = std::exchange(now, next);
-  }
-  return now;
-}
-
-/// All n roots in (-1, 1), ascending, of a polynomial with real roots only; `outside` is a further, known root or 0.
-/// Newton on the polynomial divided by the roots found: from the left it climbs to the next one without passing it.
-template <class Polynomial>
-std::vector<Real> roots_of(int n, const Polynomial& polynomial, Real outside) {
-  std::vector<Real> roots;
-  while (roots.size() < index(n)) {
-    Real x = roots.empty() ? -1 : roots.back() + 1e-6L;
-    for (int step = 0; step < 200; ++step) {
-      const Value f = polynomial(x);
-      Real poles = outside != 0 ? 1 / (x - outside) : 0;
-      for (const Real root : roots) poles += 1 / (x - root);
-      const Real change = f.value / (f.slope - f.value * poles);
-      x -= change;
-      if (std::fabs(change) < 1e-18L) break;
-    }
-    roots.push_back(x);
-  }
-  return roots;
-}
-
 /// Node and weight on [0, 1].
 using Nodes = std::vector<std::pair<Real, Real>>;
 
-Nodes gauss_legendre(int n) {
+/// Golub and Welsch: the orthonormal polynomials of a weight on [-1, 1] have a three-term recurrence; the nodes are the
+/// eigenvalues of its symmetric tridiagonal matrix, and the squares of the eigenvectors' first components are the
+/// weights, up to their sum.
+Nodes gauss_nodes(const Eigen::VectorX<Real>& diagonal, const Eigen::VectorX<Real>& beside, Real sum) {
+  Eigen::SelfAdjointEigenSolver<Eigen::MatrixX<Real>> pairs;
+  pairs.computeFromTridiagonal(diagonal, beside);
   Nodes nodes;
-  for (const Real x : roots_of(
-           n, [n](Real t) { return legendre(n, t); }, 0)) {
-    const Real slope = legendre(n, x).slope;
-    nodes.emplace_back((1 + x) / 2, 1 / ((1 - x * x) * slope * slope));
+  for (int i = 0; i < diagonal.size(); ++i) {
+    const Real first = pairs.eigenvectors()(0, i);
+    nodes.emplace_back((1 + pairs.eigenvalues()[i]) / 2, sum * first * first);
   }
   return nodes;
 }
 
-/// Gauss-Jacobi for the weight 1 - y on [0, 1]: the inner nodes of the Radau rule with n + 1 points, the roots of
-/// (P_n - P_{n+1}) / (1 - x).
+Nodes gauss_legendre(int n) {
+  Eigen::VectorX<Real> beside(n - 1);
+  for (int k = 1; k < n; ++k) beside[k - 1] = k / std::sqrt(Real(4 * k * k - 1));
+  return gauss_nodes(Eigen::VectorX<Real>::Zero(n), beside, 1);
+}
+
+/// Gauss-Jacobi for the weight 1 - y on [0, 1].
 Nodes gauss_jacobi(int n) {
-  const auto radau = [n](Real t) {
-    const Value a = legendre(n, t);
-    const Value b = legendre(n + 1, t);
-    return Value{a.value - b.value, a.slope - b.slope};
-  };
-  Nodes nodes;
-  for (const Real x : roots_of(n, radau, 1)) {
-    const Real value = (n + 1) * legendre(n, x).value;
-    nodes.emplace_back((1 + x) / 2, (1 - x) * (1 + x) / (4 * value * value));
-  }
-  return nodes;
+  Eigen::VectorX<Real> diagonal(n), beside(n - 1);
+  for (int k = 0; k < n; ++k) diagonal[k] = -1 / Real((2 * k + 1) * (2 * k + 3));
+  for (int k = 1; k < n; ++k) beside[k - 1] = std::sqrt(Real(k * (k + 1))) / (2 * k + 1);
+  return gauss_nodes(diagonal, beside, Real(1) / 2);
 }
 
 void add_orbit(std::vector<TriangleNode>& rule, double a, double weight) {

@@ -1,52 +1,51 @@
-// lib/pliant/geometry/dense/solve_dense.cpp: small square systems, solved without allocation in the long run.
+// lib/pliant/geometry/dense/solve_dense.cpp: small square systems, by Eigen's elimination with full pivoting.
 #include "pliant/geometry/dense/solve_dense.h"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <vector>
+#include <Eigen/LU>
+#include <array>
+#include <utility>
+
+#include "pliant/geometry/index.h"
 
 namespace pliant {
+namespace {
 
-void solve_dense(int n, std::span<double> matrix, int columns, std::span<double> right) {
-  const auto size = static_cast<std::size_t>(n), width = static_cast<std::size_t>(columns);
-  thread_local std::vector<std::size_t> order;  // of the unknowns
-  thread_local std::vector<double> found;
-  order.resize(size);
-  for (std::size_t k = 0; k < size; ++k) order[k] = k;
-  double* const a = matrix.data();
-  double* const b = right.data();
-  std::size_t rank = 0;
-  for (double largest = 0; rank < size; ++rank) {
-    std::size_t row = rank, column = rank;
-    double pivot = 0;
-    for (std::size_t i = rank; i < size; ++i)
-      for (std::size_t j = rank; j < size; ++j)
-        if (std::abs(a[i * size + j]) > pivot) pivot = std::abs(a[i * size + j]), row = i, column = j;
-    largest = std::max(largest, pivot);
-    if (!(pivot > n * std::numeric_limits<double>::epsilon() * largest)) break;
-    if (row != rank) {
-      std::swap_ranges(a + row * size, a + (row + 1) * size, a + rank * size);
-      std::swap_ranges(b + row * width, b + (row + 1) * width, b + rank * width);
-    }
-    if (column != rank) {
-      for (std::size_t i = 0; i < size; ++i) std::swap(a[i * size + column], a[i * size + rank]);
-      std::swap(order[column], order[rank]);
-    }
-    for (std::size_t i = rank + 1; i < size; ++i) {
-      const double factor = a[i * size + rank] / a[rank * size + rank];
-      for (std::size_t j = rank + 1; j < size; ++j) a[i * size + j] -= factor * a[rank * size + j];
-      for (std::size_t c = 0; c < width; ++c) b[i * width + c] -= factor * b[rank * width + c];
-    }
+constexpr int most_known =
+    8;  // the largest size that is known at compile time: flips up to degree 3 have no more than 5
+constexpr int most_on_stack = 96;  // the largest that takes no memory of the heap; a flip at degree 10 has 82
+
+/// The values are copied, column after column: Eigen then has them in its own alignment, whatever the caller's is.
+template <int size, int most>
+void eliminate(int n, const double* matrix, int columns, double* right) {
+  using Square = Eigen::Matrix<double, size, size, Eigen::ColMajor, most, most>;
+  using Column = Eigen::Matrix<double, size, 1, Eigen::ColMajor, most, 1>;
+  // Rows read as columns: the transpose.
+  const Eigen::FullPivLU<Square> factors(Eigen::Map<const Square>(matrix, n, n).transpose());
+  for (int c = 0; c < columns; ++c) {
+    Eigen::Map<Column, 0, Eigen::InnerStride<>> values(right + c, n, Eigen::InnerStride<>(columns));
+    const Column known = values;
+    values = factors.solve(known);
   }
-  found.assign(size * width, 0.0);
-  for (std::size_t i = rank; i-- > 0;)
-    for (std::size_t c = 0; c < width; ++c) {
-      double value = b[i * width + c];
-      for (std::size_t j = i + 1; j < rank; ++j) value -= a[i * size + j] * found[order[j] * width + c];
-      found[order[i] * width + c] = value / a[i * size + i];
-    }
-  std::copy(found.begin(), found.end(), b);
+}
+
+using Elimination = void (*)(int n, const double* matrix, int columns, double* right);
+
+template <int... less_by_one>
+constexpr std::array<Elimination, sizeof...(less_by_one)> eliminations(std::integer_sequence<int, less_by_one...>) {
+  return {eliminate<less_by_one + 1, less_by_one + 1>...};
+}
+
+}  // namespace
+
+void solve_dense(int n, std::span<const double> matrix, int columns, std::span<double> right) {
+  if (n == 0) return;
+  static constexpr auto known = eliminations(std::make_integer_sequence<int, most_known>());
+  if (n <= most_known)
+    known[index(n - 1)](n, matrix.data(), columns, right.data());
+  else if (n <= most_on_stack)
+    eliminate<Eigen::Dynamic, most_on_stack>(n, matrix.data(), columns, right.data());
+  else
+    eliminate<Eigen::Dynamic, Eigen::Dynamic>(n, matrix.data(), columns, right.data());
 }
 
 }  // namespace pliant

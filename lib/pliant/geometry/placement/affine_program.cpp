@@ -1,6 +1,7 @@
 // lib/pliant/geometry/placement/affine_program.cpp: dual simplex in three variables.
 #include "pliant/geometry/placement/affine_program.h"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <cassert>
 #include <cmath>
@@ -10,15 +11,10 @@
 namespace pliant {
 namespace {
 
-using Row = std::array<double, 3>;
+using Row = Eigen::Vector3d;
 
 constexpr double tolerance = 1e-13;
 constexpr int most_steps = 200;
-
-Row cross_product(const Row& u, const Row& v) {
-  return {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
-}
-double product(const Row& u, const Row& v) { return u[0] * v[0] + u[1] * v[1] + u[2] * v[2]; }
 
 /// The constraints row . (x, y, value) <= limit: the functions', then the four sides of the square.
 class Constraints {
@@ -27,9 +23,9 @@ class Constraints {
   int functions() const { return static_cast<int>(functions_.size()); }
   Row row(int i) const {
     const int side = i - functions();
-    if (side >= 0) return side < 2 ? Row{side == 0 ? 1.0 : -1.0, 0, 0} : Row{0, side == 2 ? 1.0 : -1.0, 0};
+    if (side >= 0) return side < 2 ? Row(side == 0 ? 1.0 : -1.0, 0, 0) : Row(0, side == 2 ? 1.0 : -1.0, 0);
     const AffineFunction& f = functions_[static_cast<std::size_t>(i)];
-    return {-f.a, -f.b, 1};
+    return Row(-f.a, -f.b, 1);
   }
   double limit(int i) const { return i < functions() ? functions_[static_cast<std::size_t>(i)].c : reach_; }
 
@@ -58,34 +54,26 @@ class Constraints {
   double reach_;
 };
 
-/// Three constraints that hold with equality, with the inverse of their matrix.
+/// Three constraints that hold with equality.
 struct Basis {
   std::array<int, 3> members;
-  std::array<Row, 3> columns;  ///< of the inverse
+  Eigen::Matrix3d rows, inverse;
+  Eigen::Vector3d limits;
 
-  void invert(const Constraints& constraints) {
-    const Row a = constraints.row(members[0]), b = constraints.row(members[1]), c = constraints.row(members[2]);
-    columns = {cross_product(b, c), cross_product(c, a), cross_product(a, b)};
-    const double determinant = product(a, columns[0]);
-    for (Row& column : columns)
-      for (double& entry : column) entry /= determinant;
+  void take(const Constraints& constraints) {
+    for (int i = 0; i < 3; ++i) {
+      rows.row(i) = constraints.row(members[static_cast<std::size_t>(i)]);
+      limits[i] = constraints.limit(members[static_cast<std::size_t>(i)]);
+    }
+    inverse = rows.inverse();
   }
-  Row vertex(const Constraints& constraints) const {
-    Row z{};
-    for (std::size_t i = 0; i < 3; ++i)
-      for (std::size_t j = 0; j < 3; ++j) z[j] += constraints.limit(members[i]) * columns[i][j];
+  Row vertex() const {
+    const Row z = inverse * limits;
     // Once more with what is left, so that the three hold to rounding where they are nearly parallel.
-    Row left{};
-    for (std::size_t i = 0; i < 3; ++i)
-      left[i] = constraints.limit(members[i]) - product(constraints.row(members[i]), z);
-    for (std::size_t i = 0; i < 3; ++i)
-      for (std::size_t j = 0; j < 3; ++j) z[j] += left[i] * columns[i][j];
-    return z;
+    return z + inverse * (limits - rows * z);
   }
   /// How `row` is combined from the members' rows.
-  Row shares_of(const Row& row) const {
-    return {product(row, columns[0]), product(row, columns[1]), product(row, columns[2])};
-  }
+  Row shares_of(const Row& row) const { return inverse.transpose() * row; }
 };
 
 /// The place nearest to `near` where all functions are at least `level`: half-planes one by one. A place that is known
@@ -125,14 +113,14 @@ AffineOptimum maximise_least(std::span<const AffineFunction> functions, double r
   const auto least = std::min_element(functions.begin(), functions.end(),
                                       [](const AffineFunction& f, const AffineFunction& g) { return f.c < g.c; });
   const int first_side = constraints.functions();
-  Basis basis{{static_cast<int>(least - functions.begin()), first_side + (least->a > 0 ? 0 : 1),
-               first_side + (least->b > 0 ? 2 : 3)},
-              {}};
-  Row z{}, shares{};
+  Basis basis;
+  basis.members = {static_cast<int>(least - functions.begin()), first_side + (least->a > 0 ? 0 : 1),
+                   first_side + (least->b > 0 ? 2 : 3)};
+  Row z, shares;
   for (int steps = 0;; ++steps) {
-    basis.invert(constraints);
-    z = basis.vertex(constraints);
-    shares = basis.shares_of({0, 0, 1});
+    basis.take(constraints);
+    z = basis.vertex();
+    shares = basis.shares_of(Row::UnitZ());
     const int entering = constraints.most_violated(z);
     if (entering < 0 || steps == most_steps) break;
     const Row mixture = basis.shares_of(constraints.row(entering));
@@ -151,7 +139,7 @@ AffineOptimum maximise_least(std::span<const AffineFunction> functions, double r
     basis.members[leaving] = entering;
   }
 
-  AffineOptimum result{{z[0], z[1]}, z[2], basis.members, shares, true};
+  AffineOptimum result{{z[0], z[1]}, z[2], basis.members, {shares[0], shares[1], shares[2]}, true};
   bool unique = true;
   for (std::size_t i = 0; i < 3; ++i) {
     unique = unique && shares[i] > 1e-9;

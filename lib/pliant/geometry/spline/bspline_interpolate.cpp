@@ -1,4 +1,5 @@
 // lib/pliant/geometry/spline/bspline_interpolate.cpp: Greville abscissae, interpolation by a banded solve.
+#include <Eigen/LU>
 #include <algorithm>
 #include <array>
 #include <cassert>
@@ -91,29 +92,16 @@ class BorderedBand {
     return below_[count(r * inner_width() + at)];
   }
 
-  /// Gauss elimination with row exchanges.
   bool solve_corner(std::span<Point> b) {
-    const auto at = [this](int i, int j) -> double& { return corner_[count(i * border_ + j)]; };
-    for (int k = 0; k < border_; ++k) {
-      int best = k;
-      for (int i = k + 1; i < border_; ++i)
-        if (std::fabs(at(i, k)) > std::fabs(at(best, k))) best = i;
-      if (!(std::fabs(at(best, k)) > 1e-12)) return false;
-      if (best != k) {
-        for (int j = k; j < border_; ++j) std::swap(at(k, j), at(best, j));
-        std::swap(b[count(k)], b[count(best)]);
-      }
-      for (int i = k + 1; i < border_; ++i) {
-        const double factor = at(i, k) / at(k, k);
-        if (factor == 0) continue;
-        for (int j = k + 1; j < border_; ++j) at(i, j) -= factor * at(k, j);
-        b[count(i)] -= factor * b[count(k)];
-      }
-    }
-    for (int i = border_ - 1; i >= 0; --i) {
-      for (int j = i + 1; j < border_; ++j) b[count(i)] -= at(i, j) * b[count(j)];
-      b[count(i)] = b[count(i)] / at(i, i);
-    }
+    if (border_ == 0) return true;
+    constexpr int most = 3 * (max_curve_degree - 1);
+    using Square = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor, most, most>;
+    using Pairs = Eigen::Matrix<double, Eigen::Dynamic, 2, Eigen::RowMajor, most, 2>;
+    const Eigen::PartialPivLU<Square> factors(Eigen::Map<const Square>(corner_.data(), border_, border_));
+    if (!(factors.matrixLU().diagonal().cwiseAbs().minCoeff() > 1e-12)) return false;
+    Eigen::Map<Pairs> unknown(&b[0].x, border_, 2);
+    const Pairs known = unknown;
+    unknown = factors.solve(known);
     return true;
   }
 

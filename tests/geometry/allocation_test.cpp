@@ -1,7 +1,9 @@
-// tests/geometry/placement_allocation_test.cpp: placement allocates nothing once its scratch memory has grown.
+// tests/geometry/allocation_test.cpp: placement and small solves allocate nothing once scratch memory has grown.
 #include <catch2/catch.hpp>
 #include <vector>
 
+#include "pliant/geometry/dense/solve_dense.h"
+#include "pliant/geometry/index.h"
 #include "pliant/geometry/placement/optimal_placement.h"
 #include "support/counted_malloc.h"
 #include "support/placement_stars.h"
@@ -31,6 +33,19 @@ TEST_CASE("placement allocates nothing in the steady state", "[geometry]") {
     allocated = allocations - before;
   }
   CHECK(allocated == 0);
+}
+
+TEST_CASE("systems of up to 96 unknowns are solved without allocation", "[geometry]") {
+  const int n = GENERATE(1, 5, 8, 9, 17, 82, 96);
+  CAPTURE(n);
+  std::mt19937_64 random(1);
+  std::uniform_real_distribution<double> entry(-1, 1);
+  std::vector<double> matrix(index(n * n)), right(index(2 * n));
+  for (double& value : matrix) value = entry(random);
+  for (double& value : right) value = entry(random);
+  const long before = allocations;
+  solve_dense(n, matrix, 2, right);
+  CHECK(allocations == before);
 }
 
 #endif
