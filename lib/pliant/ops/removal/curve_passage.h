@@ -10,8 +10,8 @@ namespace pliant {
 /// The two edges of the one curve that passes through a vertex, each as one of its half-edges.
 struct Passage {
   CurveId curve = none;
-  HalfEdgeId before = none,
-             after = none;  // the edge that ends at v in the curve's direction, the one that starts there
+  HalfEdgeId before = none;  // the edge that ends at the vertex, in the curve's direction
+  HalfEdgeId after = none;   // the edge that starts there
 };
 /// The passage at v; its curve is none if v is on no curve, a corner, a lone vertex, or pinched.
 Passage passage_at(const Mesh& mesh, PointId v, const Star& star);
