@@ -7,7 +7,7 @@ using namespace pliant::flow_meshes;
 
 namespace {
 
-/// Far too rough for the meshes here: one step of length 1 folds elements.
+/// A velocity far too rough for the meshes here: one step of length 1 folds elements.
 Vector rough(const Point& x, double) { return {3 * std::sin(7 * x.y), 3 * std::cos(9 * x.x)}; }
 
 AdvectOptions step_with(StepPolicy policy) {
@@ -33,7 +33,7 @@ double value(const PassReport& report, const std::string& name) {
 
 }  // namespace
 
-TEST_CASE("an unsafe step is refused, named, and changes nothing", "[flow]") {
+TEST_CASE("an unsafe step is refused with the element that blocks it, and changes nothing", "[flow]") {
   const int degree = GENERATE(1, 2, 3, 4);
   for (const MeshData& data : all(degree)) {
     Mesh mesh(data);
@@ -79,7 +79,8 @@ TEST_CASE("a forced step is taken, and its invalid elements are counted", "[flow
 }
 
 TEST_CASE("a step that is safe for the flow but not for the polynomials is refused too", "[flow]") {
-  // Each straight half of the motion is a half turn: the map is a rotation, the motion of the control points is not.
+  // The step is half a turn. The flow is a rotation, but on straight ways all control points meet in the centre half
+  // way.
   Mesh mesh(samples::disk(2));
   AdvectOptions options = step_with(StepPolicy::refuse);
   options.dt = 3.14159265358979;

@@ -1,4 +1,4 @@
-// tests/flow/advect_test.cpp: laws of a step of the moving mesh: exactness for linear flows, orders, reversibility.
+// tests/flow/advect_test.cpp: laws of a step: exact for linear flows, orders of error, reversible.
 #include "pliant/flow/advect.h"
 
 #include "flow_meshes.h"
@@ -46,7 +46,7 @@ TEST_CASE("a uniform flow translates every control point and every spline", "[fl
   }
 }
 
-TEST_CASE("where nothing moves not a bit changes but the time", "[flow]") {
+TEST_CASE("if nothing moves, not a bit changes except the time", "[flow]") {
   const int degree = GENERATE(1, 2, 3, 4);
   for (const MeshData& data : all(degree)) {
     Mesh mesh(data);
@@ -104,8 +104,8 @@ TEST_CASE("the error in time is of order 4", "[flow]") {
 TEST_CASE("the error in space is of order degree + 1", "[flow]") {
   const int degree = GENERATE(1, 2, 3, 4);
   const VelocityField velocity = make_flow("taylor-green", {{"length", 2}});
-  // The flow map within the elements, against the map of single points. The elements are straight: curved ones that
-  // shrink without getting straighter lose the order.
+  // The flow map within the elements is compared with the motion of single points. The elements are straight: curved
+  // ones that get smaller without getting straighter would lose the order.
   const auto error = [&](double size) {
     Mesh mesh(scaled(two_rooms(degree), size, {0.3, 0.2}));
     const Mesh before = mesh;
@@ -181,13 +181,13 @@ TEST_CASE("a flow that is reversed brings everything back", "[flow]") {
   const VelocityField velocity = make_flow("reversed-vortex", {{"period", 1}});
   const Mesh before = mesh;
   for (int step = 0; step < 40; ++step) REQUIRE(took(mesh, velocity, step_of(1.0 / 40, 2)));
-  // The mid-way stretching is mild here, so what is left is the interpolation of the curves.
+  // The mesh is stretched only mildly half way, so the error left is that of interpolating the curves.
   CHECK(difference(mesh, before) < 2e-3);
   for (const double t : before.spline(0).greville())
     CHECK(distance(mesh.spline(0).evaluate(t), before.spline(0).evaluate(t)) < (degree == 2 ? 1e-5 : 1e-6));
 }
 
-TEST_CASE("steps forth and back with negative dt undo each other", "[flow]") {
+TEST_CASE("a step forward and a step back with negative dt undo each other", "[flow]") {
   Mesh mesh(samples::disk(3, 12, {0.2, 0.3}, 0.4));
   const Mesh before = mesh;
   const VelocityField velocity = make_flow("stagnation", {});

@@ -68,7 +68,7 @@ inline MeshData two_rooms(int degree) {
   return std::move(data);
 }
 
-/// The mesh, shrunk about the origin and shifted.
+/// The mesh scaled about the origin by `factor`, then shifted.
 inline MeshData scaled(MeshData data, double factor, const Vector& shift) {
   const auto move = [&](Point& x) { x = shift + factor * x; };
   for (Point& x : data.points) move(x);
@@ -84,14 +84,14 @@ inline std::vector<MeshData> all(int degree) {
   return {samples::disk(degree), samples::three_disks(degree), two_rooms(degree)};
 }
 
-/// Its area by Green's theorem along the closed curves that have nothing on the right.
+/// The area enclosed by all curves, by Green's theorem. Requires a boundary of closed curves with nothing on the right.
 inline double enclosed_area(const Mesh& mesh) {
   double area = 0;
   for (const Curve& curve : mesh.boundary().curves) area += curve.spline.area();
   return area;
 }
 
-/// The greatest angle between the tangents on both sides of a break where the curve is smooth.
+/// The greatest angle between the tangents on both sides of a break at which the curve should be smooth.
 inline double tangent_jump(const Mesh& mesh) {
   double greatest = 0;
   for (const Curve& curve : mesh.boundary().curves) {
@@ -107,7 +107,7 @@ inline double tangent_jump(const Mesh& mesh) {
   return greatest;
 }
 
-/// No breach of M1 to M6.
+/// Checks M1 to M6.
 inline void check_all(const Mesh& mesh) {
   for (const Fault& fault : check_mesh(mesh)) FAIL_CHECK(fault.invariant << " " << fault.place << ": " << fault.text);
   CHECK(find_invalid(mesh).empty());

@@ -1,4 +1,5 @@
-// tests/flow/interpolate_nodes_test.cpp: functions brought into the basis of the mesh: what is exact, and orders.
+// tests/flow/interpolate_nodes_test.cpp: interpolation of functions by control values: which are exact, and fields by
+// face.
 #include "pliant/mesh/interpolate_nodes.h"
 
 #include "flow_meshes.h"
@@ -8,7 +9,8 @@ using namespace pliant::flow_meshes;
 
 namespace {
 
-/// The greatest difference between field 0 (one component) and the function, over points of all elements of a face.
+/// The greatest difference between field 0 (of one component) and the function, at sample points in all elements of a
+/// face.
 double field_error(const Mesh& mesh, FaceId face, const std::function<double(const Point&)>& function) {
   double greatest = 0;
   std::vector<double> rows(static_cast<std::size_t>(mesh.net_size() * mesh.width()));

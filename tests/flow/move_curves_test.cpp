@@ -1,4 +1,4 @@
-// tests/flow/move_curves_test.cpp: splines that are carried along: Greville points, orders, continuity, area.
+// tests/flow/move_curves_test.cpp: moved splines: Greville points, order of error, continuity, area.
 #include "pliant/flow/move_curves.h"
 
 #include "flow_meshes.h"
@@ -78,11 +78,11 @@ TEST_CASE("keeping the area moves the curve by less than its error", "[flow]") {
   CHECK(kept.area_offset == Approx(miss / plain.splines[0].arc_length()).epsilon(0.1));
 }
 
-TEST_CASE("knots of any multiplicity keep their continuity and no more is asked", "[flow]") {
+TEST_CASE("knots of any multiplicity keep their continuity", "[flow]") {
   const int degree = GENERATE(2, 3, 4);
   BoundaryComplex boundary = circle(degree, 9, {0.3, 0.2}, 0.4);
   BSpline& spline = boundary.curves[0].spline;
-  for (int m = 1; m < degree; ++m) spline.insert_knot(4);  // now a possible corner
+  for (int m = 1; m < degree; ++m) spline.insert_knot(4);  // the curve may have a corner here now
   spline.insert_knot(2.5);
   const MovedBoundary moved = carry_boundary(boundary, make_flow("taylor-green", {{"length", 2}}), 0.4, 4);
   REQUIRE(moved.status == MovedBoundary::Status::done);

@@ -1,4 +1,4 @@
-// tests/flow/named_flows_test.cpp: named flows are finite and free of divergence, and keep what they promise.
+// tests/flow/named_flows_test.cpp: named flows are finite and free of divergence, and have their known properties.
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>
@@ -57,7 +57,7 @@ TEST_CASE("the flow past a cylinder is tangent to it, continuous across it and u
     CHECK(length(v(centre + (0.75 + 1e-9) * outward, 0) - v(centre + (0.75 - 1e-9) * outward, 0)) < 1e-7);
     CHECK(length(v(centre + 1e6 * outward, 0) - Vector{2, 0}) < 1e-6);
   }
-  // Twice the speed at the side, at rest in front.
+  // The velocity is twice the speed at the side of the cylinder, and 0 in front of it.
   const VelocityField plain = make_flow("cylinder", {});
   CHECK(length(plain({0, 1}, 0) - Vector{2, 0}) < 1e-15);
   CHECK(length(plain({-1, 0}, 0)) < 1e-15);
@@ -95,7 +95,7 @@ TEST_CASE("the vortices have their circulation", "[flow]") {
   }
 }
 
-TEST_CASE("wrong names and parameters of flows are refused in words that say what there is", "[flow]") {
+TEST_CASE("wrong names and parameters of flows are refused with the names that there are", "[flow]") {
   using Catch::Matchers::Contains;
   CHECK_THROWS_WITH(make_flow("whirl", {}), Contains("whirl") && Contains("taylor-green"));
   CHECK_THROWS_WITH(make_flow("cylinder", {{"r", 1}}), Contains("\"r\"") && Contains("circulation"));

@@ -1,4 +1,4 @@
-// tests/mesh/check_mesh_test.cpp: planted breaches of the invariants are found by their names.
+// tests/mesh/check_mesh_test.cpp: planted breaches of the invariants are found and named.
 #include "pliant/mesh/check_mesh.h"
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 #include "support/sample_boundaries.h"
 #include "support/sample_meshes.h"
 
-// Each breach is planted alone into a sound document, and has to be found by its name.
+// Each breach is planted alone into a sound document, and must be found as a breach of its invariant.
 using namespace pliant;
 
 namespace {
@@ -29,7 +29,7 @@ PointId copy_of(MeshData& data, PointId p) {
   return static_cast<PointId>(data.points.size()) - 1;
 }
 
-/// A round cell with an obstacle of the same kind: two disks in one document, fields of both kinds.
+/// A sound document: two round cells, with a continuous field and a field by face.
 MeshData sound(int degree) {
   samples::MeshBuilder builder(degree);
   samples::add_disk(builder, 8, {0, 0}, 1, "left");
@@ -66,7 +66,7 @@ struct Breach {
   int least_degree = 1;
 };
 
-/// A long function, since it is one table: each breach with what plants it.
+/// All breaches, each with the function that plants it. This function is long since it is one table.
 const std::vector<Breach>& breaches() {
   static const std::vector<Breach> all{
       {"a shared edge has another control point in one triangle", "M1",
@@ -89,7 +89,7 @@ const std::vector<Breach>& breaches() {
        [](MeshData& d) {
          std::swap(entry(d, 0, 1), entry(d, 0, 2));
          const int p = d.degree;
-         // Edges 12, 23, 31 become 13, 32, 21.
+         // Turned over, the triangle's edges 12, 23, 31 become 13, 32, 21.
          for (int k = 0; k < p - 1; ++k) std::swap(entry(d, 0, 3 + k), entry(d, 0, 3 + 2 * (p - 1) + (p - 2 - k)));
          for (int k = 0; k < (p - 1) / 2; ++k)
            std::swap(entry(d, 0, 3 + (p - 1) + k), entry(d, 0, 3 + 2 * (p - 1) - 1 - k));
@@ -219,7 +219,7 @@ TEST_CASE("elements that are not valid are found, each as what it is", "[mesh]")
   const int degree = GENERATE(2, 3);
   MeshData data = samples::disk(degree);
   CHECK(find_invalid(data).empty());
-  // The inner edge between triangles 0 and the next around the middle is pulled far across.
+  // The inner edge between triangle 0 and the next one around the middle is pulled far to the side.
   data.points[static_cast<std::size_t>(entry(data, 0, 3))] += Vector{3, 0.5};
   const InvalidElements live = find_invalid(Mesh(data)), plain = find_invalid(data);
   CHECK(live.invalid == plain.invalid);
@@ -260,7 +260,7 @@ TEST_CASE("a point that stands twice in one edge breaks M1", "[mesh]") {
   CHECK(found);
 }
 
-// Counting the spans of the curve once an edge took minutes here.
+// This took minutes when the spans of the curve were counted anew for each edge.
 TEST_CASE("the arrays of a mesh whose curve has very many spans are looked at once", "[mesh]") {
   constexpr int spans = 400000;
   std::vector<Point> points;

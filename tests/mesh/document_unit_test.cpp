@@ -1,4 +1,4 @@
-// tests/mesh/document_unit_test.cpp: documents of extreme size come near 1 and back, exactly, or are refused.
+// tests/mesh/document_unit_test.cpp: documents of extreme size are scaled to near 1 and back exactly, or are refused.
 #include "pliant/mesh/document_unit.h"
 
 #include <catch2/catch.hpp>

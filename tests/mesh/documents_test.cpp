@@ -1,4 +1,4 @@
-// tests/mesh/documents_test.cpp: A live mesh and its document: compacting is what writing and reading again does.
+// tests/mesh/documents_test.cpp: a live mesh and its document: compacting does what writing and reading again does.
 #include <catch2/catch.hpp>
 
 #include "formats/document/mesh_json.h"
@@ -34,7 +34,7 @@ TEST_CASE("compacting equals writing the document and reading it", "[mesh][prope
     CHECK(is_same);
     CHECK(mesh.triangle_slots() == mesh.triangle_count());
     CHECK(check_mesh(mesh).empty());
-    // From here on both go on alike.
+    // Further operations on the two meshes must give the same.
     Mesh other(read_mesh(text));
     RandomOperations(mesh, 50 + round).run(40);
     RandomOperations(other, 50 + round).run(40);

@@ -1,4 +1,4 @@
-// tests/mesh/half_edges_test.cpp: both ways to pair half-edges agree, and find what is no sound mesh.
+// tests/mesh/half_edges_test.cpp: both ways to pair half-edges agree, and meshes that are not sound are found.
 #include "pliant/mesh/half_edges.h"
 
 #include <algorithm>
@@ -17,7 +17,8 @@ bool has_topological_faults(const MeshData& data) {
   return std::ranges::any_of(faults, [](const Fault& f) { return f.invariant == "M1" || f.invariant == "M2"; });
 }
 
-/// Names another point, drops, repeats or turns a triangle, or joins two vertices, by chance.
+/// Spoils a document in one of several ways, at random: a triangle names another point, is dropped, repeated or turned
+/// over, or two vertices become one.
 void spoil(MeshData& data, std::mt19937& random) {
   const auto n = static_cast<std::size_t>(net_size(data.degree));
   const auto below = [&random](std::size_t bound) { return random() % bound; };

@@ -1,4 +1,4 @@
-// tests/mesh/same_mesh.h: are two meshes the same in everything that can be asked of them, bit for bit?
+// tests/mesh/same_mesh.h: compares two meshes, bit for bit, in everything that can be asked of them.
 #pragma once
 #include <bit>
 #include <cstdint>
@@ -11,7 +11,7 @@ namespace pliant {
 inline bool same_bits(double a, double b) { return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b); }
 inline bool same_bits(const Point& a, const Point& b) { return same_bits(a.x, b.x) && same_bits(a.y, b.y); }
 
-/// The first difference in words; empty if there is none. Free slots are compared as far as they can be seen.
+/// The first difference in words; empty if there is none. Free slots are compared as far as they are visible.
 inline std::string difference(const Mesh& a, const Mesh& b) {
   if (a.triangle_slots() != b.triangle_slots()) return "triangle slots";
   if (a.point_slots() != b.point_slots()) return "point slots";

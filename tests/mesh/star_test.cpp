@@ -50,7 +50,7 @@ TEST_CASE("a star holds every triangle around its vertex, counter-clockwise, and
     CHECK(star.degree() == static_cast<int>(wanted.size()));
     CHECK(star.is_closed == !on_outer);
     CHECK(is_on_curve(mesh, star) == on_curve);
-    // Each triangle's third side is where the next one begins.
+    // The third side of each triangle is the first side of the next one.
     for (std::size_t k = 0; k + 1 < star.outgoing.size(); ++k)
       CHECK(mesh.apex(star.outgoing[k]) == mesh.target(star.outgoing[k + 1]));
     if (star.is_closed) {

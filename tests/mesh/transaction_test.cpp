@@ -10,11 +10,11 @@ using namespace pliant;
 
 namespace {
 
-/// Calls of every function that changes a mesh, at random, whether the result makes sense or not.
+/// Calls every function that changes a mesh, at random, whether the result makes sense or not.
 class RandomChanges {
  public:
   RandomChanges(Mesh& mesh, std::uint64_t seed) : mesh_(mesh), random_(seed) {}
-  /// A long function, since it is one list: a case for each function of Mesh that changes it.
+  /// Makes one change. This function is long since it is one list: a case for each function of Mesh that changes it.
   void change() {
     const PointId p = below(mesh_.point_slots());
     const TriangleId t = below(mesh_.triangle_slots());
@@ -93,7 +93,7 @@ class RandomChanges {
   std::vector<ConstraintId> constraints_;
 };
 
-/// A tree of transactions, some committed, some rolled back, some left to their destructor.
+/// Nests transactions at random: some are committed, some rolled back, some left to their destructor.
 void nest(Mesh& mesh, RandomChanges& changes, std::mt19937_64& random, int depth) {
   const Mesh before = mesh;
   Transaction transaction(mesh);
@@ -118,7 +118,7 @@ TEST_CASE("what is rolled back is bit for bit as it was, however transactions ne
   const bool by_face = GENERATE(false, true);
   CAPTURE(seed, by_face);
   Mesh mesh = carried_disk(2, by_face);
-  RandomOperations(mesh, seed).run(30);  // free slots to begin with
+  RandomOperations(mesh, seed).run(30);  // so that there are free slots
   RandomChanges changes(mesh, seed);
   std::mt19937_64 random(seed + 1);
   const Mesh before = mesh;
@@ -132,7 +132,7 @@ TEST_CASE("what is rolled back is bit for bit as it was, however transactions ne
 }
 
 TEST_CASE("after a roll-back the mesh goes on as if nothing had been tried", "[mesh][property]") {
-  // The lists of free slots cannot be seen: but the same operations must take the same slots.
+  // The lists of free slots are not visible, but the same operations must take the same slots.
   const int degree = GENERATE(1, 2, 3);
   const bool by_face = GENERATE(false, true);
   CAPTURE(degree, by_face);

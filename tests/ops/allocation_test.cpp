@@ -12,14 +12,14 @@ TEST_CASE("operations that leave the curves alone allocate nothing in the steady
   CAPTURE(degree, by_face);
   Mesh mesh = carried_disk(degree, by_face, 16);
   std::mt19937_64 random(3);
-  // No three vertices in a line, and what is refused not counted: where a sign hangs on the last bits, predicates and
-  // certificates take exact numbers, which allocate.
+  // Where a sign depends on the last bits, predicates and certificates compute with exact numbers, which allocate.
+  // Therefore vertices are moved so that no three are in a line, and refused operations are not counted.
   std::uniform_real_distribution<double> jitter(-0.02, 0.02);
   for (PointId p = 0; p < mesh.point_slots(); ++p)
     if (mesh.is_vertex(p) && length(mesh.point(p)) < 0.6)
       mesh.set_point(p, mesh.point(p) + Vector{jitter(random), jitter(random)});
   REQUIRE(find_invalid(mesh).empty());
-  std::array<long, 5> allocated{}, done{};  // insert, remove it, split, flip, remove any
+  std::array<long, 5> allocated{}, done{};  // insert a vertex, remove it, split an edge, flip, remove any vertex
   for (int round = 0; round < 5; ++round) {
     allocated = done = {};
     const auto count = [&](std::size_t kind, auto&& operation) {
@@ -47,7 +47,7 @@ TEST_CASE("operations that leave the curves alone allocate nothing in the steady
     }
     for (const HalfEdgeId h : mesh.half_edges()) {
       if (!mesh.is_alive(triangle_of(h)) || mesh.is_constrained(h)) continue;
-      // These change the mesh: taken back, so that every round meets the same one.
+      // These operations change the mesh; they are rolled back, so that every round starts with the same mesh.
       Transaction undone(mesh);
       count(3, [&] { return flip_edge(mesh, h) == Outcome::done; });
       count(4, [&] { return remove_inner_vertex(mesh, mesh.origin(h)) == Outcome::done; });

@@ -1,4 +1,4 @@
-// tests/ops/carried_domains.h: meshes of several domains that carry fields of every kind.
+// tests/ops/carried_domains.h: meshes of several domains, which carry fields of every kind.
 #pragma once
 #include <catch2/catch.hpp>
 #include <random>
@@ -19,7 +19,7 @@ inline const Domain domains[] = {{"cell", samples::one_cell},
                                  {"cells in a channel, interfaces", samples::interface},
                                  {"gear, corners", [](int) { return samples::gear(6); }}};
 
-/// Moves the inner control points by chance as far as the elements stay valid.
+/// Moves the control points inside inner edges at random, if elements stay valid.
 inline void bend_inner_edges(Mesh& mesh, std::mt19937_64& random, int rounds = 40) {
   std::normal_distribution<double> normal;
   const int p = mesh.degree();
@@ -38,7 +38,8 @@ inline void bend_inner_edges(Mesh& mesh, std::mt19937_64& random, int rounds = 4
     }
 }
 
-/// Field 0 linear, field 1 noise of two components, field 2 noise by face. `bends`: how often inner edges are bent.
+/// The mesh of a domain, whose inner edges are bent `bends` times. Field 0 is linear, field 1 is noise with two
+/// components, field 2 is noise by face.
 inline Mesh carried(const Domain& domain, int degree, int bends = 0) {
   Mesh mesh;
   const GenerateOutcome outcome = mesh_from_boundary(domain.boundary(degree), {degree}, mesh);
@@ -63,7 +64,7 @@ inline Mesh carried(const Domain& domain, int degree, int bends = 0) {
   return Mesh(std::move(data));
 }
 
-/// Area of each face, then the integral of each component of the fields 1 and 2.
+/// The sums that operations must keep: the area of each face, then the integral of each component of fields 1 and 2.
 inline std::vector<double> kept_sums(const Mesh& mesh) {
   std::vector<double> sums(mesh.boundary().faces.size() + 3);
   const std::size_t faces = mesh.boundary().faces.size();

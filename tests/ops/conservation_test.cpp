@@ -1,4 +1,4 @@
-// tests/ops/conservation_test.cpp: what each operation by itself keeps: areas of faces, integrals, linear functions.
+// tests/ops/conservation_test.cpp: each operation by itself keeps areas of faces, integrals and linear functions.
 #include "ops/carried_domains.h"
 #include "pliant/ops/level_jacobian.h"
 
@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::array names{"insert", "split", "flip", "remove", "remove on a curve", "smooth", "straighten", "level"};
 
-/// An operation of this kind at a place by chance, of those that keep the curves.
+/// An operation of this kind, which keeps the curves, at a random place.
 Outcome operate(Mesh& mesh, std::size_t kind, std::mt19937_64& random, const RefitOptions& options) {
   TriangleId t;
   do t = static_cast<TriangleId>(random() % static_cast<unsigned>(mesh.triangle_slots()));
@@ -24,7 +24,7 @@ Outcome operate(Mesh& mesh, std::size_t kind, std::mt19937_64& random, const Ref
     case 3:
       return remove_inner_vertex(mesh, mesh.origin(h), options);
     case 4: {
-      // Not the vertex of a split as it was: what is around it is flipped first, so that its fields are fitted.
+      // A split is not just undone: edges around the new vertex are flipped first, so that its removal fits fields.
       const HalfEdgeId on = mesh.is_constrained(h) ? h : mesh.is_constrained(next(h)) ? next(h) : none;
       if (on == none) return Outcome::corner;
       const InsertResult inserted = split_edge(mesh, on, 0.5);
@@ -65,7 +65,7 @@ TEST_CASE("each operation that keeps the curves keeps areas, integrals and linea
     if (operate(mesh, kind, random, {projection}) != Outcome::done) continue;
     ++done[kind];
     const std::vector<double> after = kept_sums(mesh);
-    double largest = 1;  // of the values, and so of the integrals over the area
+    double largest = 1;  // the largest value: integrals round in proportion to it
     for (std::size_t field = 1; field < 3; ++field)
       for (const double value : mesh.fields()[field].values) largest = std::max(largest, std::abs(value));
     double area = 0, integral = 0;
@@ -73,7 +73,7 @@ TEST_CASE("each operation that keeps the curves keeps areas, integrals and linea
       (i < faces ? area : integral) = std::max(i < faces ? area : integral, std::abs(after[i] - before[i]));
     CHECK(area <= 1e-13 * scale);
     CHECK(integral <= 1e-13 * scale * largest);
-    // Not limited, fits enlarge what rounding left of linear functions, as they enlarge all noise.
+    // Without limits, fits enlarge rounding errors of linear functions, as they enlarge all noise.
     CHECK(linear_error(mesh) <= linear + (projection == Projection::limited ? 1e-13 : 1e-10) * (3 + mesh.size()));
   }
   require_every_invariant(mesh);

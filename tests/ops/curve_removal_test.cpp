@@ -1,4 +1,4 @@
-// tests/ops/curve_removal_test.cpp: what the removal of a curve's vertex promises: distance, integrals, what stays.
+// tests/ops/curve_removal_test.cpp: removing a vertex from a curve: distances, integrals, vertices that stay.
 #include <algorithm>
 
 #include "ops/carried_domains.h"
@@ -7,7 +7,7 @@ using namespace pliant;
 
 namespace {
 
-/// Greatest distance of points of two curves at the same parameter, at many of them.
+/// The greatest distance between the points of two curves at the same parameter, over many parameters.
 double sampled_distance(const BSpline& a, const BSpline& b) {
   double worst = 0;
   const auto evaluate = [](const BSpline& curve, double t) {
@@ -23,7 +23,7 @@ double sampled_distance(const BSpline& a, const BSpline& b) {
   return worst;
 }
 
-/// Vertices inside curves, in an order by chance.
+/// The vertices inside curves, in random order.
 std::vector<PointId> curve_vertices(const Mesh& mesh, std::mt19937_64& random) {
   std::vector<PointId> vertices;
   for (const HalfEdgeId h : mesh.half_edges())
@@ -42,7 +42,7 @@ CurveId curve_at(const Mesh& mesh, PointId v) {
   return none;
 }
 
-/// A domain with every constrained edge split twice: curves with many knots, of which some can go.
+/// A domain with every constrained edge split twice, so that its curves have knots that can be removed.
 Mesh with_many_knots(const Domain& domain, int degree) {
   Mesh mesh = carried(domain, degree);
   std::mt19937_64 random(5);
@@ -56,7 +56,8 @@ Mesh with_many_knots(const Domain& domain, int degree) {
 }  // namespace
 
 TEST_CASE(
-    "the distance that a knot removal reports bounds that of the curves, and their sum that of the first and the last",
+    "the distance that a knot removal reports bounds the distance of the curves, and so does the sum after many "
+    "removals",
     "[ops][property]") {
   const int degree = GENERATE(1, 2, 3, 4, 5);
   const Domain& domain = GENERATE(from_range(std::begin(domains), std::end(domains)));
@@ -88,7 +89,7 @@ TEST_CASE(
     }
   require_every_invariant(mesh);
   CHECK(done > 5);
-  if (tightest > 0) CHECK(tightest > 0.05);  // nor is it an idle bound
+  if (tightest > 0) CHECK(tightest > 0.05);  // the bound is not far too large either
   for (std::size_t c = 0; c < first.size(); ++c)
     CHECK(sampled_distance(first[c].spline, mesh.boundary().curves[c].spline) <=
           mesh.boundary().curves[c].removal_error * (1 + 1e-12) + 1e-13 * mesh.size());
@@ -97,8 +98,8 @@ TEST_CASE(
       CHECK(mesh.boundary().curves[c].spline.area() == Approx(first[c].spline.area()).margin(1e-11));
 }
 
-// Looking at the whole curve for each removal took a quarter of an hour here.
-TEST_CASE("what a removal costs does not grow with the curve, nor what keeps its area", "[ops]") {
+// This took a quarter of an hour when each removal looked at the whole curve.
+TEST_CASE("the cost of a removal does not grow with the curve, with or without keeping the area", "[ops]") {
   BoundaryComplex boundary;
   boundary.faces.resize(1);
   boundary.faces[0].name = "cell";
@@ -123,7 +124,7 @@ TEST_CASE("what a removal costs does not grow with the curve, nor what keeps its
   for (const Fault& fault : check_mesh(mesh)) FAIL_CHECK(fault.place + " " + fault.text);
 }
 
-TEST_CASE("where a removal changes the region linear functions are reproduced, or integrals conserved, as asked",
+TEST_CASE("if a removal changes the region, linear functions are reproduced, or integrals conserved, as asked",
           "[ops][property]") {
   const int degree = GENERATE(1, 2, 3);
   const Domain& domain = GENERATE(from_range(std::begin(domains), std::end(domains)));
@@ -149,7 +150,7 @@ TEST_CASE("where a removal changes the region linear functions are reproduced, o
       CHECK(removal.integral_change == 0);
     } else {
       CHECK(linear_error(mesh) < 1e-11);
-      // The footprint's absolute integral is at most that of the values' bound over the box.
+      // The integral of absolute control values over the footprint is at most their bound times the area of the box.
       CHECK(integral <= removal.integral_change * 2 * box_area(mesh) + 1e-13);
       if (integral > 1e-6) CHECK(removal.integral_change > 1e-7);
     }

@@ -1,4 +1,4 @@
-// tests/ops/flip_search_test.cpp: flips of strongly curved pairs against a search for a place of the new edge.
+// tests/ops/flip_search_test.cpp: flips of strongly curved elements against a search for a place of the new edge.
 #include <catch2/catch.hpp>
 #include <random>
 
@@ -15,18 +15,18 @@ using namespace pliant;
 
 namespace {
 
-/// The two elements after a flip of h, built here from the four outer edges alone.
+/// The two elements after a flip of h, built from the four outer edges without the code under test.
 struct Flipped {
   int degree;
   std::array<std::vector<Point>, 2> nets;
-  std::vector<std::array<int, 2>> free;  // where each free point stands in the nets; -1: not there
+  std::vector<std::array<int, 2>> free;  // the index of each free point in either net; -1 if it is not in it
 
   Flipped(const Mesh& mesh, HalfEdgeId h) : degree(mesh.degree()) {
     const HalfEdgeId g = mesh.twin(h);
     const NetLayout& layout = mesh.layout();
     const Point c = mesh.point(mesh.apex(h)), d = mesh.point(mesh.apex(g));
     for (auto& net : nets) net.assign(index(mesh.net_size()), 0.5 * (c + d));
-    // First (d, c, a): edges dc, ca, ad; second (c, d, b): edges cd, db, bc.
+    // The first element (d, c, a) has edges dc, ca, ad; the second one (c, d, b) has edges cd, db, bc.
     const std::array<std::array<HalfEdgeId, 2>, 2> outer{{{previous(h), next(g)}, {previous(g), next(h)}}};
     for (std::size_t side = 0; side < 2; ++side)
       for (int e = 1; e < 3; ++e)
@@ -53,7 +53,7 @@ struct Flipped {
   }
 };
 
-/// p = 2: a grid of places for the one free point.
+/// For p = 2: tries a grid of places for the one free point. True if some place makes both elements valid.
 bool grid_finds(Flipped pair) {
   const Box box = pair.box();
   constexpr int n = 60;
@@ -66,7 +66,7 @@ bool grid_finds(Flipped pair) {
   return false;
 }
 
-/// p > 2: sweeps of single placements from many random starts.
+/// For p > 2: sweeps of single placements from many random starts. True if one of them makes both elements valid.
 bool search_finds(const Flipped& pair, std::mt19937_64& random) {
   const Box box = pair.box();
   std::uniform_real_distribution<double> x(box.low.x, box.high.x), y(box.low.y, box.high.y);
@@ -110,7 +110,7 @@ TEST_CASE("a flip of strongly curved elements succeeds wherever a search finds a
       REQUIRE(find_invalid(bent).empty());
       for (const HalfEdgeId h : bent.half_edges()) {
         if (bent.twin(h) == none || bent.is_constrained(h) || h > bent.twin(h)) continue;
-        // Two edges on curves in one element would cover a corner of the boundary: refused for that.
+        // The flip may be refused since two edges on curves in one element would cover a corner of the boundary.
         const HalfEdgeId g = bent.twin(h);
         if ((bent.is_constrained(previous(h)) && bent.is_constrained(next(g))) ||
             (bent.is_constrained(previous(g)) && bent.is_constrained(next(h))))

@@ -1,4 +1,4 @@
-// tests/ops/inner_removal_test.cpp: vertices inside faces, of any degree, are removed by ears.
+// tests/ops/inner_removal_test.cpp: vertices of any degree inside faces are removed, ear by ear.
 #include "ops/carried_domains.h"
 
 using namespace pliant;
@@ -32,7 +32,7 @@ TEST_CASE("most inner vertices can be removed where elements are straight or onl
   }
   CHECK(inner > 100);
   CHECK(highest > 7);
-  // What stays is mostly beside edges on curves that were split: these go straight on but for rounding, and an element
-  // that has its corner there is valid by that rounding at best.
+  // Most vertices that cannot be removed are beside edges on curves that were split. The two halves go on smoothly, so
+  // that an element with its corner there could be valid by rounding at best.
   CHECK(removed > (degree == 1 ? 0.9 : 0.82) * inner);
 }

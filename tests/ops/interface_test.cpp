@@ -1,4 +1,4 @@
-// tests/ops/interface_test.cpp: operations on a cell inside a square of fluid: an interface, and a curve with corners.
+// tests/ops/interface_test.cpp: operations on a cell in a square of fluid, with an interface and a curve with corners.
 #include <catch2/catch.hpp>
 #include <random>
 
@@ -15,8 +15,8 @@ namespace {
 
 constexpr FaceId fluid = 0, cell = 1;
 
-/// A square that is one open curve with three corners inside it (knots of full multiplicity), which starts and ends at
-/// the fourth; `spans` spans on each side. A cell of `around` spans in its middle.
+/// A square with `spans` spans on each side. It is one open curve, which starts and ends at one corner and has the
+/// other three as knots of full multiplicity. In its middle is a cell with `around` spans.
 BoundaryComplex cell_in_square(int degree, int spans = 3, int around = 10) {
   BoundaryComplex b = samples::with_faces({"fluid", "cell"});
   b.vertices = {{-2, -2}};
@@ -38,11 +38,12 @@ BoundaryComplex cell_in_square(int degree, int spans = 3, int around = 10) {
   return b;
 }
 
-/// What field 0 is everywhere, and what the field by face is on either side.
+/// The linear function that field 0 is everywhere, and those that the field by face is on either side.
 double smooth_part(const Point& p) { return p.x + 2 * p.y - 3; }
 double part_of(FaceId f, const Point& p) { return f == cell ? 5 - p.x + 3 * p.y : 2 * p.x - p.y; }
 
-/// Field 0 linear; field 1 noise; field 2 by face: linear on either side, and noise.
+/// The mesh with three fields. Field 0 is linear, field 1 noise. Field 2 is by face: its first component is linear on
+/// either side, the second one noise.
 Mesh carried_interface(int degree) {
   const BoundaryComplex boundary = cell_in_square(degree);
   for (const Fault& fault : check_boundary(boundary)) FAIL(fault.place << ": " << fault.text);
@@ -90,7 +91,7 @@ void check_everything(const Mesh& mesh, double tolerance) {
   CHECK(worst_jump < tolerance);
 }
 
-/// Vertices inside a curve, in order of their number.
+/// The vertices inside a curve, ascending.
 std::vector<PointId> curve_vertices(const Mesh& mesh, CurveId curve) {
   std::vector<PointId> vertices;
   for (TriangleId t = 0; t < mesh.triangle_slots(); ++t) {
@@ -171,7 +172,7 @@ TEST_CASE("random operations on both sides of an interface, and on it, keep ever
   CHECK(others > 60);
 }
 
-TEST_CASE("splits of an interface undone give back its fields, of either face", "[ops]") {
+TEST_CASE("splits of an interface that are undone give back the fields of both faces", "[ops]") {
   const int degree = GENERATE(1, 2, 3, 4);
   CAPTURE(degree);
   Mesh mesh = carried_interface(degree);
@@ -208,11 +209,11 @@ TEST_CASE("any break of a closed curve can be removed, the first one too, with o
     if (keep_area) CHECK(mesh.spline(0).area() == Approx(area).epsilon(1e-8));
   }
   REQUIRE(errors.size() == 24);
-  // The curve is the same seen from every break.
+  // The curve looks the same from every break, so all errors are equal.
   for (const double error : errors) CHECK(error == Approx(errors[5]).epsilon(1e-6));
 }
 
-TEST_CASE("operations go on at a cusp, whose corner is forgiven", "[ops]") {
+TEST_CASE("operations go on at a cusp, where det J may be zero", "[ops]") {
   const BoundaryComplex boundary = samples::crescent(0);
   Mesh mesh;
   const GenerateOutcome outcome = mesh_from_boundary(boundary, {3}, mesh);

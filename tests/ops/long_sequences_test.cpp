@@ -1,4 +1,4 @@
-// tests/ops/long_sequences_test.cpp: very many random operations in a row, on several domains, at every degree.
+// tests/ops/long_sequences_test.cpp: very many random operations in a row, on several domains, for several degrees.
 #include <catch2/catch.hpp>
 #include <cstdlib>
 
@@ -8,8 +8,8 @@ using namespace pliant;
 
 namespace {
 
-/// How many operations: 10^5 in the long run of `tests/run --all`, fewer otherwise. At degree 3 a fifth of them and
-/// above a twentieth: there a refused flip takes milliseconds of search.
+/// How many operations are made: 10^5 in the long run of `tests/run --all`, fewer otherwise. At degree 3 it is a fifth
+/// of that, at higher degrees a twentieth, since a refused flip takes milliseconds of search there.
 int operation_count(int degree) {
   const char* const text = std::getenv("PLIANT_OPERATIONS");
   return (text ? std::atoi(text) : 2000) / (degree > 3 ? 20 : degree == 3 ? 5 : 1);
@@ -28,9 +28,8 @@ long euler(const Mesh& mesh) {
 
 }  // namespace
 
-TEST_CASE(
-    "any number of operations that keep the curves keeps areas, linear functions, integrals and the checker happy",
-    "[ops][property][long]") {
+TEST_CASE("any number of operations that keep the curves keeps areas, linear functions, integrals and all invariants",
+          "[ops][property][long]") {
   const int degree = GENERATE(1, 2, 3, 4, 5);
   const Domain& domain = GENERATE(from_range(std::begin(domains), std::end(domains)));
   CAPTURE(degree, domain.name);
@@ -77,7 +76,7 @@ TEST_CASE("the largest value of a noisy field does not grow over any number of f
     const auto h = static_cast<HalfEdgeId>(random() % static_cast<unsigned>(3 * mesh.triangle_slots()));
     if (flip_edge(mesh, h) != Outcome::done) continue;
     ++flips;
-    most = std::max(most, largest(1));  // after every flip: a large value may be averaged away again
+    most = std::max(most, largest(1));  // checked after every flip, since later flips may average a large value away
   }
   CHECK(flips > count / 20);
   CHECK(most <= before * (1 + 1e-12));

@@ -1,4 +1,4 @@
-// tests/ops/pinched_test.cpp: operations on lobes that touch one another in one vertex.
+// tests/ops/pinched_test.cpp: operations on lobes that touch each other in one vertex.
 #include "ops/carried_domains.h"
 #include "pliant/mesh/star.h"
 
@@ -6,7 +6,7 @@ using namespace pliant;
 
 namespace {
 
-/// Two lobes, each bounded by one curve from the vertex at the origin round to it.
+/// Two lobes, each bounded by one curve that starts and ends at the vertex in the origin.
 BoundaryComplex figure_eight(int degree) {
   BoundaryComplex b = samples::with_faces({"right", "left"});
   b.vertices = {{0, 0}};
@@ -43,7 +43,7 @@ PointId pinch_of(const Mesh& mesh) {
   return found;
 }
 
-/// The star, and what joins the vertex to others, against a look at all triangles.
+/// Checks the star of v, and which vertices edges join it to, by a look at all triangles.
 void check_star(const Mesh& mesh, PointId v) {
   Star star;
   find_star(mesh, v, star);
@@ -94,7 +94,8 @@ TEST_CASE("every component of a pinched vertex's star is seen, whatever operatio
 }
 
 TEST_CASE("a flip joins no vertices that an edge of another component joins already", "[ops]") {
-  // A square of two triangles, and a third one that touches it above and below: its inner side goes round the square.
+  // A square of two triangles, and a third triangle that touches it at its upper and its lower corner: the side between
+  // these goes round the square.
   samples::MeshBuilder builder(2);
   BoundaryComplex& boundary = builder.data().boundary;
   boundary = samples::with_faces({"face"});
@@ -120,11 +121,11 @@ TEST_CASE("a flip joins no vertices that an edge of another component joins alre
   CHECK(mesh.is_pinched(up));
   CHECK(mesh.is_pinched(down));
   CHECK(flip_edge(mesh, find_half_edge(mesh, a, b)) == Outcome::edge_exists);
-  // Once that side is split the flip makes the only edge there.
+  // Once that side is split, the flip makes the only edge between the two corners.
   REQUIRE(split_edge(mesh, find_half_edge(mesh, up, down), 0.5).outcome == Outcome::done);
   CHECK(flip_edge(mesh, find_half_edge(mesh, a, b)) == Outcome::done);
   require_every_invariant(mesh);
-  // And then the split cannot be undone.
+  // After the flip, the split cannot be undone.
   const HalfEdgeId h = find_half_edge(mesh, up, down);
   REQUIRE(h != none);
   Star star;

@@ -18,7 +18,7 @@
 
 namespace pliant {
 
-/// Field 0 is linear ("x + 2y - 3"), field 1 has two noisy components (`by_face`: as a field by face).
+/// A disk with two fields. Field 0 is x + 2 y - 3; field 1 has two components of noise, and is by face if `by_face`.
 inline Mesh carried_disk(int degree, bool by_face = false, int spans = 8) {
   MeshData data = samples::disk(degree, spans);
   samples::add_field(data, "linear", 1, [](const Point& p) { return std::vector<double>{p.x + 2 * p.y - 3}; });
@@ -61,7 +61,7 @@ inline double integral_of(const Mesh& mesh, int field, int component) {
   return sum;
 }
 
-/// Largest deviation of field 0 from the linear function it was.
+/// The largest deviation of field 0 from the linear function that it should be.
 inline double linear_error(const Mesh& mesh) {
   double worst = 0;
   for (PointId p = 0; p < mesh.point_slots(); ++p) {
@@ -84,7 +84,8 @@ inline Point point_at(const Mesh& mesh, TriangleId t, const Barycentric& xi) {
   return {row[0], row[1]};
 }
 
-/// Largest difference of the fields of two meshes of the same region at random points of the first.
+/// The largest difference between the rows (positions, then fields) of two meshes of the same region, at random points
+/// of the first.
 inline double difference_of_functions(const Mesh& a, const Mesh& b, int samples) {
   std::mt19937_64 random(99);
   std::uniform_real_distribution<double> uniform(0.01, 1);
@@ -120,7 +121,7 @@ inline bool same_document(const MeshData& a, const MeshData& b) {
   return true;
 }
 
-/// Random inserts, splits, flips, removals and smoothings, those that keep the curves' shapes.
+/// Random insertions, splits, flips, removals and smoothings, all of which keep the shapes of the curves.
 class RandomOperations {
  public:
   RandomOperations(Mesh& mesh, std::uint64_t seed, int most_triangles = 80)
@@ -148,7 +149,7 @@ class RandomOperations {
         return flip_edge(mesh_, h) == Outcome::done;
       case 4:
       case 5:
-        // A vertex on a curve goes only where that leaves the curve as it is: after a split.
+        // A vertex on a curve is removed only if the curve stays as it is, which is so after a split.
         if (mesh_.is_constrained(h))
           return remove_curve_vertex(mesh_, mesh_.origin(h), {1e-14 * mesh_.size()}).outcome == Outcome::done;
         return remove_inner_vertex(mesh_, mesh_.origin(h)) == Outcome::done;

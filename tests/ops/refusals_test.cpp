@@ -9,7 +9,7 @@ using namespace pliant;
 
 namespace {
 
-/// Every slot of a mesh, whether in use or not, with everything that hangs on it; fields by their bits.
+/// Everything in a mesh, slot by slot, whether in use or not; values of fields are compared by their bits.
 struct Snapshot {
   std::vector<std::int32_t> numbers;
   std::vector<double> values;
@@ -50,7 +50,7 @@ struct Snapshot {
   }
 };
 
-/// Any operation there is, at a place and with options by chance; some ask for what cannot be.
+/// Some operation, at a random place and with random options; some requests are impossible.
 Outcome any_operation(Mesh& mesh, std::mt19937_64& random, bool grow) {
   std::uniform_real_distribution<double> uniform(0, 1);
   TriangleId t;
@@ -123,7 +123,7 @@ TEST_CASE("an operation that refuses leaves the mesh bit for bit as it was, what
     REQUIRE(before == Snapshot(mesh));
     require_every_invariant(mesh);
     if (++refused % 8) continue;
-    // What is not to be seen from outside is as it was, too: the next operation does the same as on a copy.
+    // What is not visible from outside must be as it was, too: the next operations do the same as on a copy.
     Mesh other = copy;
     const std::mt19937_64 kept = random;
     for (int next = 0; next < 4; ++next) any_operation(mesh, random, true);
@@ -136,7 +136,7 @@ TEST_CASE("an operation that refuses leaves the mesh bit for bit as it was, what
   CHECK(done > 10);
   if (degree == 5 && domain.boundary == std::end(domains)[-1].boundary) {  // the last section
     for (int reason = 0; reason <= static_cast<int>(Outcome::not_in_domain); ++reason) {
-      // The first is said by passes alone; the second takes elements and values that are rare (tests/repair, seed 151).
+      // would_bend comes from passes only; loses_integral takes rare elements and values (tests/repair, seed 151).
       if (static_cast<Outcome>(reason) == Outcome::would_bend) continue;
       if (static_cast<Outcome>(reason) == Outcome::loses_integral) continue;
       CAPTURE(describe(static_cast<Outcome>(reason)));

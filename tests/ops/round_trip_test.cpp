@@ -1,4 +1,4 @@
-// tests/ops/round_trip_test.cpp: what an insertion or a split did is undone by the removal of its vertex, to rounding.
+// tests/ops/round_trip_test.cpp: the removal of a vertex undoes its insertion, or the split that made it, to rounding.
 #include "ops/carried_domains.h"
 #include "pliant/geometry/index.h"
 
@@ -6,7 +6,8 @@ using namespace pliant;
 
 namespace {
 
-/// The rows of the triangle of h as seen from its origin: the same whichever corner the triangle calls its first.
+/// The rows of the triangle of h in an order that starts at the origin of h, so that the first corner of the triangle
+/// does not matter.
 std::vector<double> rows_from(const Mesh& mesh, HalfEdgeId h) {
   const int p = mesh.degree(), width = mesh.width();
   const NetLayout& layout = mesh.layout();
@@ -23,8 +24,8 @@ std::vector<double> rows_from(const Mesh& mesh, HalfEdgeId h) {
   return out;
 }
 
-/// Largest difference of two elements' rows, relative to the size of the mesh or to the fields' values, which are
-/// about 1.
+/// The largest difference between the rows of two elements. Positions are relative to the size of the mesh, values to
+/// 3, about the largest value.
 double difference(const Mesh& mesh, const std::vector<double>& a, const std::vector<double>& b) {
   double worst = 0;
   for (std::size_t k = 0; k < a.size(); ++k)
@@ -32,7 +33,7 @@ double difference(const Mesh& mesh, const std::vector<double>& a, const std::vec
   return worst;
 }
 
-/// Two triangles, or one: those of an edge, before it is split, or one before a point is put into it.
+/// What was before: the triangles beside an edge that is split, or the triangle into which a point is inserted.
 struct Before {
   std::array<PointId, 2> from{none, none}, to{none, none};
   std::array<std::vector<double>, 2> rows;

@@ -1,4 +1,4 @@
-// tests/quality/condition_test.cpp: conditions of --fail-if: what they compare, and what is refused.
+// tests/quality/condition_test.cpp: what the conditions of --fail-if compare, and which texts are refused.
 #include "pliant/quality/element/condition.h"
 
 #include <catch2/catch.hpp>

@@ -1,4 +1,4 @@
-// tests/quality/element_measures_test.cpp: measures of many elements at once are those of each one.
+// tests/quality/element_measures_test.cpp: measures of many elements at once are those of each element alone.
 #include "pliant/quality/element/element_measures.h"
 
 #include <catch2/catch.hpp>
@@ -13,8 +13,8 @@ using namespace pliant;
 
 namespace {
 
-/// Triangles that share nothing: straight, hardly, gently and wildly curved, of many sizes, some turned over, flat or
-/// collapsed.
+/// Triangles of many sizes that share no points. They are straight, or curved hardly, gently or wildly; some are
+/// inverted, flat, or collapsed to a point.
 MeshData many_elements(int degree, unsigned seed, std::size_t count) {
   std::mt19937_64 random(seed);
   std::uniform_real_distribution<double> unit(-1, 1);
@@ -42,14 +42,14 @@ MeshData many_elements(int degree, unsigned seed, std::size_t count) {
   return data;
 }
 
-/// Bits, for NaN is NaN here.
+/// Equal to the sign of zero; NaN equals NaN.
 bool is_same(double a, double b) {
   return a == b ? std::signbit(a) == std::signbit(b) : std::isnan(a) && std::isnan(b);
 }
 
 }  // namespace
 
-TEST_CASE("measures of many elements are those of each one, to the last bit", "[quality][property]") {
+TEST_CASE("measures of many elements are those of each element alone, to the last bit", "[quality][property]") {
   const int degree = GENERATE(1, 2, 3);
   CAPTURE(degree);
   const MeshData data = many_elements(degree, 5, 5000);
@@ -106,7 +106,7 @@ TEST_CASE("extrema of polynomials lie in their enclosures, which are as narrow a
         least = std::min(least, value);
         most = std::max(most, value);
       }
-    // The second derivatives are at most 4 d (d - 1): so far below the least sample may the minimum be.
+    // Second derivatives are at most 4 d (d - 1), which bounds how far the minimum may be below the least sample.
     const double slack = 4.0 * degree * degree / (steps * steps);
     REQUIRE(low.lower <= least + 1e-12);
     REQUIRE(low.upper >= least - slack);

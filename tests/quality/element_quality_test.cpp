@@ -1,4 +1,4 @@
-// tests/quality/element_quality_test.cpp: measures of single elements where closed forms know them.
+// tests/quality/element_quality_test.cpp: measures of single elements against closed formulas and samples.
 #include "pliant/quality/element/element_quality.h"
 
 #include <algorithm>
@@ -20,7 +20,7 @@ namespace {
 
 using Net = std::vector<Point>;
 
-/// The net of the affine map with these corners: its control points are the nodes of the lattice.
+/// The net of the straight element with these corners: its control points form a regular lattice.
 Net affine_net(int degree, const Point& a, const Point& b, const Point& c) {
   Net net;
   const NetLayout& layout = NetLayout::of(degree);
@@ -90,7 +90,7 @@ TEST_CASE("bending that keeps area has distortion exactly one, but not the shape
   CHECK(distortion(2, net) == 1);
   CHECK(jacobian_peak(2, net) == 1);
   CHECK(scaled_jacobian(2, net) == Approx(1).margin(1e-3));
-  // T = [[1, 0], [6 x, 1]] times that of the straight triangle; tau = 2 sqrt(3) / (|a|^2 + |b|^2 + |b - a|^2).
+  // T is [[1, 0], [6 x, 1]] times the T of the straight triangle; tau = 2 sqrt(3) / (|a|^2 + |b|^2 + |b - a|^2).
   const double worst = 2 * std::numbers::sqrt3 / (37 + 1 + 26);  // at x = 1: a = (1, 6), b = (0, 1)
   CHECK(curved_shape(2, net) <= worst);
   CHECK(curved_shape(2, net) >= 0.99 * worst);
@@ -138,7 +138,7 @@ TEST_CASE("the distortion is the second moment of det J over its mean", "[qualit
   CHECK(distortion(degree, net) >= 1);
 }
 
-TEST_CASE("measures of an element ignore where it lies, its size, its turn and the names of its corners",
+TEST_CASE("measures of an element do not depend on its place, its size, its rotation and the order of its corners",
           "[quality][property]") {
   const int degree = GENERATE(range(1, 5));
   const std::uint64_t seed = GENERATE(range<std::uint64_t>(0, 20));

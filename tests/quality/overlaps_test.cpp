@@ -1,4 +1,4 @@
-// tests/quality/overlaps_test.cpp: overlaps of triangles are found, and no others.
+// tests/quality/overlaps_test.cpp: overlaps are found where triangles overlap, and nowhere else.
 #include "pliant/quality/overlaps.h"
 
 #include <catch2/catch.hpp>
@@ -15,7 +15,7 @@ namespace {
 
 using Corners = std::array<Point, 3>;
 
-/// Straight triangles that share nothing, each in one face.
+/// Straight triangles that share no points, all in one face.
 MeshData triangle_soup(int degree, const std::vector<Corners>& triangles) {
   MeshData data;
   data.degree = degree;
@@ -36,7 +36,7 @@ bool is_inside(const Point& p, const Corners& t) {
   return orient2d(t[0], t[1], p) > 0 && orient2d(t[1], t[2], p) > 0 && orient2d(t[2], t[0], p) > 0;
 }
 
-/// Of triangles in general position.
+/// True if two triangles in general position overlap.
 bool do_overlap(const Corners& s, const Corners& t) {
   for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t j = 0; j < 3; ++j) {
@@ -50,7 +50,7 @@ std::int64_t overlaps_of(const MeshData& data) { return find_overlaps(data, Half
 
 }  // namespace
 
-TEST_CASE("triangles that share nothing overlap exactly where two of them do", "[quality][property]") {
+TEST_CASE("a soup of triangles overlaps if and only if two of its triangles do", "[quality][property]") {
   const int degree = GENERATE(1, 2, 3);
   int overlapping = 0;
   for (unsigned seed = 0; seed < 400; ++seed) {
@@ -87,7 +87,7 @@ TEST_CASE("a part that lies on another without crossing its boundary is an overl
   CHECK(is_inside(overlaps.places[0].place, {{{1, 1}, {2, 1}, {1, 2}}}));
 }
 
-TEST_CASE("of boundaries that cross the two elements are named, and where", "[quality]") {
+TEST_CASE("where boundaries cross, both elements and the place are named", "[quality]") {
   const MeshData data = triangle_soup(2, {{{{0, 0}, {2, 0}, {0, 2}}}, {{{0.5, -1}, {3, -1}, {0.5, 1}}}});
   const Overlaps overlaps = find_overlaps(data, HalfEdges(data), 1);
   CHECK(overlaps.count == 2);
@@ -116,8 +116,8 @@ TEST_CASE("sound meshes with several components, holes and interfaces do not ove
 }
 
 TEST_CASE("a strip that winds over itself overlaps though every element is valid", "[quality]") {
-  // One turn and a half of a helix seen from above, on the second turn a little narrower: its sides cross nothing but
-  // the ends of the strip.
+  // One and a half turns of a helix seen from above, a little narrower on the second turn. Its sides cross nothing
+  // except the ends of the strip.
   MeshData data;
   data.degree = 1;
   data.boundary.faces.push_back({"strip", {}});

@@ -1,4 +1,4 @@
-// tests/quality/quality_report_test.cpp: figures of the report against closed forms, and against each other.
+// tests/quality/quality_report_test.cpp: figures of the report against closed formulas, and against each other.
 #include "pliant/quality/quality_report.h"
 
 #include <algorithm>
@@ -117,7 +117,7 @@ TEST_CASE("the integral of a field is exact: of one it is the area, of x the fir
   CHECK(figures.max[0] == box.high.x);
 }
 
-TEST_CASE("a field by face counts on each face with its own values, and lacks an integral where a place lacks",
+TEST_CASE("a field by face counts on each face with its own values, and has no integral if a place is missing",
           "[quality]") {
   MeshData data = samples::three_disks(2);
   Field field{"p", 1, true, {}, {}, {}};
@@ -148,7 +148,7 @@ TEST_CASE("splines of a mesh are smooth to rounding, and a control point moved a
   MeshData data = samples::disk(degree, 12, {100, 50}, 3);
   REQUIRE(tangent_jump(data).has_value());
   CHECK(*tangent_jump(data) < 1e-12);
-  // A leg of the mesh's edge turned by a known small angle: only the edges tell.
+  // A leg of a mesh edge is turned by a known small angle; the spline stays, so only the edges show it.
   const ConstrainedEdge& edge = data.constrained_edges[3];
   const Point start = data.points[static_cast<std::size_t>(edge.points[0])];
   Point& next = data.points[static_cast<std::size_t>(edge.points[1])];

@@ -1,4 +1,4 @@
-// tests/quality/quality_summary_test.cpp: a summary says what the report says.
+// tests/quality/quality_summary_test.cpp: the figures of a summary are those of the report.
 #include "pliant/quality/quality_summary.h"
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 
 using namespace pliant;
 
-TEST_CASE("a summary says what the report says", "[quality]") {
+TEST_CASE("the figures of a summary are those of the report", "[quality]") {
   const int degree = GENERATE(1, 2, 3, 4);
   const bool is_tangled = GENERATE(false, true);
   CAPTURE(degree, is_tangled);
@@ -36,7 +36,7 @@ TEST_CASE("the norm of a field is the root of the integral of its square", "[qua
   const bool by_face = GENERATE(false, true);
   CAPTURE(degree, by_face);
   MeshData data = samples::three_disks(degree);
-  // At each point 3 and the abscissa, -2 times both in the last face.
+  // At each point the two components are 3 and x; on the last face, -2 times that.
   Field field{"both", 2, by_face, {}, {}, {}};
   const auto add = [&](PointId p, double factor) {
     field.values.insert(field.values.end(), {3 * factor, factor * data.points[static_cast<std::size_t>(p)].x});
@@ -62,7 +62,7 @@ TEST_CASE("the norm of a field is the root of the integral of its square", "[qua
         Approx(std::max(std::abs(report.fields[0].min[1]), std::abs(report.fields[0].max[1]))));
 }
 
-TEST_CASE("growth is the ratio of after to before, of components that both have", "[quality]") {
+TEST_CASE("growth is the ratio of after to before, for the components that both meshes have", "[quality]") {
   QualitySummary before, after;
   before.fields = {{"u", 0, 2, 1}, {"u", 1, 0, 0}, {"old", 0, 1, 1}};
   after.fields = {{"new", 0, 1, 1}, {"u", 0, 3, 0.5}, {"u", 1, 0, 0}};

@@ -1,4 +1,4 @@
-// tests/quality/too_curved_test.cpp: when an element is too curved, and by how much.
+// tests/quality/too_curved_test.cpp: the quick test agrees with the excess, and the excess with the measures.
 #include "pliant/quality/too_curved.h"
 
 #include <algorithm>
@@ -33,7 +33,7 @@ Net random_net(int degree, double noise, std::mt19937_64& random) {
 
 }  // namespace
 
-TEST_CASE("an element is fine exactly if its excess is at most one, whichever way that is found out",
+TEST_CASE("an element is fine if and only if its excess is at most one, also where the quick test decides",
           "[quality][property]") {
   const int degree = GENERATE(range(1, 6));
   std::mt19937_64 random(static_cast<std::uint64_t>(degree));
@@ -55,7 +55,7 @@ TEST_CASE("an element is fine exactly if its excess is at most one, whichever wa
   if (degree > 1) CHECK(curved > 100);
 }
 
-TEST_CASE("how much fixed edges turn does not count, all else does", "[quality][property]") {
+TEST_CASE("the turning of fixed edges does not count, everything else does", "[quality][property]") {
   const int degree = GENERATE(range(2, 6));
   std::mt19937_64 random(static_cast<std::uint64_t>(20 + degree));
   int differ = 0;
@@ -76,7 +76,7 @@ TEST_CASE("how much fixed edges turn does not count, all else does", "[quality][
   CHECK(differ > 50);
 }
 
-TEST_CASE("the excess is the worst of the measures over their bounds, and above all valid elements if tangled",
+TEST_CASE("the excess is the worst measure over its bound, and a tangled element has more than any valid one",
           "[quality][property]") {
   const int degree = GENERATE(range(2, 6));
   std::mt19937_64 random(static_cast<std::uint64_t>(10 + degree));
@@ -94,7 +94,7 @@ TEST_CASE("the excess is the worst of the measures over their bounds, and above 
       CHECK(excess <= 2 * tangled_excess);
       continue;
     }
-    if (excess >= tangled_excess) continue;  // valid, but by less than the bracket of its shape
+    if (excess >= tangled_excess) continue;  // valid, but its shape is too small for the lower bound to be positive
     const double logical = std::fabs(triangle_shape(net[0], net[1], net[2]));
     const double worst = std::max(
         {(distortion(degree, net) - 1) / (bounds.max_distortion - 1), jacobian_peak(degree, net) / bounds.max_peak,

@@ -1,4 +1,4 @@
-// lib/pliant/flow/advect.cpp: one certified step of the moving mesh (paper §6).
+// lib/pliant/flow/advect.cpp: tries a step, certifies it, and takes it, or a smaller one, or none.
 #include "pliant/flow/advect.h"
 
 #include <algorithm>
@@ -17,9 +17,9 @@
 namespace pliant {
 namespace {
 
-constexpr int most_attempts = 20;        // of a limited step
-constexpr double least_fraction = 1e-6;  // of the asked step that is worth taking
-constexpr double limit_margin = 0.9;     // of the safe fraction
+constexpr int most_attempts = 20;        // so often a step is made smaller
+constexpr double least_fraction = 1e-6;  // a smaller part of the asked step is not worth taking
+constexpr double limit_margin = 0.9;     // this part of the safe fraction is tried next
 
 /// The mesh after a step of length dt, not yet taken.
 struct Trial {
@@ -28,6 +28,7 @@ struct Trial {
 };
 using MakeTrial = std::function<Trial(double dt)>;
 
+/// The fraction of a motion that is proved to keep every element valid, and the element that limits it.
 struct Certificate {
   double fraction = 1;
   TriangleId blocking = none;
@@ -48,7 +49,7 @@ Certificate certify_motion(const Mesh& mesh, const std::vector<Point>& points) {
   return result;
 }
 
-/// The first control point in use whose place is not finite; none if all are.
+/// The first control point of an element whose place is not finite; none if all are finite.
 PointId find_not_finite(const Mesh& mesh, const std::vector<Point>& points) {
   for (TriangleId t = 0; t < mesh.triangle_slots(); ++t)
     if (mesh.is_alive(t))
@@ -104,7 +105,7 @@ void take(Mesh& mesh, Trial trial, double dt) {
     mesh.set_boundary_motion(static_cast<CurveId>(c), std::move(trial.boundary.splines[c]));
   for (std::size_t v = 0; v < trial.boundary.vertices.size(); ++v)
     mesh.set_boundary_vertex(static_cast<int>(v), trial.boundary.vertices[v]);
-  for (const LoneVertex& each : mesh.lone_vertices())  // they go where the mesh goes
+  for (const LoneVertex& each : mesh.lone_vertices())  // no curve moves these: they go where the mesh vertex goes
     if (each.point != none) mesh.set_boundary_vertex(each.vertex, mesh.point(each.point));
   mesh.time += dt;
 }

@@ -8,31 +8,44 @@
 
 namespace pliant {
 
+/// What happens to a step that is not proved *safe*: to leave every element valid all along the motion.
 enum class StepPolicy {
-  refuse,  ///< an unsafe step is not taken
-  limit,   ///< integrate again to t + 0.9 f dt, f the largest safe fraction
-  force    ///< take it all the same
+  refuse,  ///< it is not taken
+  limit,   ///< 0.9 times the largest safe fraction of it is tried instead
+  force    ///< it is taken all the same
 };
 struct AdvectOptions {
   double dt = 0;
   int substeps = 1;  ///< Runge-Kutta steps within dt
   StepPolicy policy = StepPolicy::refuse;
-  bool keep_area = false;  ///< one normal offset per closed curve
+  bool keep_area = false;  ///< each closed curve is offset along its normals to enclose the same area
 };
 struct AdvectOutcome {
-  enum class Status { done, limited, unsafe, not_finite, not_interpolable } status;
-  double dt;        ///< the step that was taken (0 if none)
-  double fraction;  ///< proved safe fraction of the asked step
-  TriangleId blocking = -1;
+  enum class Status {
+    done,             ///< the whole step was taken
+    limited,          ///< a smaller step was taken
+    unsafe,           ///< no step was taken, since it is not proved safe
+    not_finite,       ///< no step was taken, since the velocity is not finite somewhere
+    not_interpolable  ///< no step was taken, since no spline interpolates the moved points of a curve
+  } status;
+  double dt;                 ///< the step that was taken (0 if none)
+  double fraction;           ///< the fraction of the asked step that is proved safe
+  TriangleId blocking = -1;  ///< the element that limits the step; none if the asked step is safe
   PassReport report;
 };
 
-/// Moves the mesh by Runge-Kutta 4 from mesh.time to mesh.time + dt: curves by moving their splines (moved points are
-/// interpolated at the Greville abscissae), edges by extraction or by their interpolation nodes, then the inner control
-/// points; certified along the straight motion of the control points. On refusal the mesh is unchanged.
+/// Moves the mesh from mesh.time to mesh.time + dt by the Runge-Kutta method of order 4. First the splines of the
+/// curves move: they interpolate the moved points at the Greville abscissae. Edges on curves are extracted from them;
+/// all other control points interpolate the motion at their nodes.
+///
+/// Ensures     unless options.policy is `force`, every element was certified along the straight motion of its control
+///             points
+/// Refuses     what `Status` says; the mesh is unchanged then
+/// Paper       §6
 AdvectOutcome advect(Mesh& mesh, const VelocityField& velocity, const AdvectOptions& options);
 
-/// The same with the velocity that the mesh carries as a field of two components: control points move by v dt.
+/// The same with a velocity v that the mesh carries as a field of two components: control points move by v dt.
+/// Requires    a field of two components that is not by face
 AdvectOutcome advect_by_field(Mesh& mesh, int field, const AdvectOptions& options);
 
 }  // namespace pliant

@@ -1,4 +1,4 @@
-// lib/pliant/flow/carried_velocity.cpp: the velocity that a mesh carries as a field, seen from its boundary.
+// lib/pliant/flow/carried_velocity.cpp: finds the edge of each span, and evaluates the field along it.
 #include "pliant/flow/carried_velocity.h"
 
 #include <algorithm>
@@ -39,7 +39,7 @@ Vector CarriedVelocity::at_point(PointId p) const {
 
 Vector CarriedVelocity::at_vertex(int v) const {
   const PointId p = vertices_[static_cast<std::size_t>(v)];
-  return p == none ? Vector{} : at_point(p);  // a vertex without a curve carries nothing
+  return p == none ? Vector{} : at_point(p);  // no curve ends at this vertex, so none needs its velocity
 }
 
 std::size_t CarriedVelocity::span_at(CurveId c, double t) const {

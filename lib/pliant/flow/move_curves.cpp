@@ -1,4 +1,4 @@
-// lib/pliant/flow/move_curves.cpp: the boundary complex carried along as splines (paper §6; design: Motion).
+// lib/pliant/flow/move_curves.cpp: adds to each spline the spline that interpolates its displacement.
 #include "pliant/flow/move_curves.h"
 
 #include <algorithm>
@@ -25,7 +25,8 @@ MovedBoundary move_curves(const BoundaryComplex& boundary, const BoundaryDisplac
     const std::vector<double> greville = curve.spline.greville();
     values.assign(greville.size(), {});
     for (std::size_t i = 0; i < greville.size(); ++i) {
-      // Ends are vertices: the mean of equal knots may be off by a bit, and corners must stay shared.
+      // The ends of an open curve move with their vertices, since corners must stay shared. (The Greville abscissa
+      // there, a mean of equal knots, may be off by a bit.)
       if (!curve.spline.closed() && i == 0)
         values[i] = by_vertex[static_cast<std::size_t>(curve.start)];
       else if (!curve.spline.closed() && i + 1 == greville.size())

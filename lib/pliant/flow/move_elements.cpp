@@ -1,4 +1,4 @@
-// lib/pliant/flow/move_elements.cpp: the control points of a mesh whose boundary has moved.
+// lib/pliant/flow/move_elements.cpp: extracts edges from the moved curves, then completes the displacements.
 #include "pliant/flow/move_elements.h"
 
 namespace pliant {
@@ -11,7 +11,7 @@ std::vector<Point> move_elements(const Mesh& mesh, const MovedBoundary& boundary
   std::vector<Point> polygon(static_cast<std::size_t>(mesh.degree()) + 1);
   for (std::size_t p = 0; p < slots; ++p) points[p] = mesh.point(static_cast<PointId>(p));
   for (const HalfEdgeId h : mesh.half_edges()) {
-    // An edge of two elements is extracted once.
+    // An edge that two elements share is extracted once.
     if (!mesh.is_alive(triangle_of(h)) || !mesh.is_constrained(h) || (mesh.twin(h) != none && mesh.twin(h) < h))
       continue;
     const ConstraintId c = mesh.constraint(h);

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// Parameters by name, complete.
+/// The values of all parameters of a flow, by name.
 class Values {
  public:
   explicit Values(std::map<std::string, double> values) : values_(std::move(values)) {}
@@ -21,6 +21,7 @@ class Values {
   std::map<std::string, double> values_;
 };
 
+/// A flow of the library, and how it is made.
 struct Entry {
   NamedFlow flow;
   std::vector<std::string> positive;  ///< parameters that must be greater than 0
@@ -91,7 +92,8 @@ VelocityField make_cylinder(const Values& v) {
     const Vector d = x - centre;
     const double rho2 = squared_length(d);
     if (rho2 < r2) {
-      // Inside, the stream function u y (rho^2 / r^2 - 1): smooth, divergence-free, continuous across the circle.
+      // The stream function inside is u y (rho^2 / r^2 - 1), so that the velocity there is smooth and divergence-free,
+      // and continuous across the circle.
       return Vector{speed * ((rho2 + 2 * d.y * d.y) / r2 - 1), -2 * speed * d.x * d.y / r2} +
              swirl / r2 * perpendicular(d);
     }
@@ -120,7 +122,7 @@ VelocityField make_source(const Values& v) {
   };
 }
 
-/// Flows whose velocity is a linear function of the place.
+/// Flows whose velocity is a linear function of position.
 std::vector<Entry> linear_flows() {
   return {
       {{"uniform", "the same velocity everywhere", {{"u", 1, "velocity along x"}, {"v", 0, "velocity along y"}}},

@@ -1,4 +1,4 @@
-// lib/pliant/flow/runge_kutta.cpp: where a flow carries one point.
+// lib/pliant/flow/runge_kutta.cpp: the classical Runge-Kutta method, for the displacement of a point.
 #include "pliant/flow/runge_kutta.h"
 
 #include <cassert>
@@ -8,7 +8,7 @@ namespace pliant {
 Vector carry(const VelocityField& velocity, const Point& from, double time, double dt, int substeps) {
   assert(substeps >= 1);
   const double h = dt / substeps;
-  // The displacement is summed, not the place: a small step far from the origin keeps its digits.
+  // The sum is of displacements, not of places, so that a small step far from the origin keeps its digits.
   Vector moved{};
   for (int step = 0; step < substeps; ++step) {
     const Point x = from + moved;

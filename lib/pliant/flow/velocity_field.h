@@ -1,4 +1,4 @@
-// lib/pliant/flow/velocity_field.h: velocities as functions of place and time (paper §6.1).
+// lib/pliant/flow/velocity_field.h: velocities as functions of position and time; flows by name (paper §6.1).
 #pragma once
 #include <functional>
 #include <map>
@@ -9,24 +9,27 @@
 
 namespace pliant {
 
-/// Velocity at a place and time. It must be safe to call with any finite place; a non-finite result stops the pass.
+/// The velocity at a position and time. It must be safe to call at any finite position; a result that is not finite
+/// stops the pass.
 using VelocityField = std::function<Vector(const Point&, double time)>;
 
-/// One flow of the library: name, what it is, its parameters with defaults and meanings.
+/// A closed-form flow of the library: its name, what it is, and its parameters.
 struct NamedFlow {
   struct Parameter {
     std::string name;
-    double value;
+    double value;  ///< the default
     std::string meaning;
   };
   std::string name;
   std::string description;
   std::vector<Parameter> parameters;
 };
+/// All of them, in the order in which they are listed.
 const std::vector<NamedFlow>& named_flows();
 
-/// The flow of that name; parameters not given take their defaults.
-/// Throws      std::invalid_argument, naming the flow or parameter and what there is
+/// The velocity of the flow with this name; parameters that are not given have their defaults.
+///
+/// Throws      std::invalid_argument for unknown names, listing the known ones, and for values out of range
 VelocityField make_flow(const std::string& name, const std::map<std::string, double>& parameters);
 
 }  // namespace pliant

@@ -1,4 +1,4 @@
-// lib/pliant/ops/build_triangle.cpp: the net of a triangle from its edges and inner points.
+// lib/pliant/ops/build_triangle.cpp: reads, makes and frees edges and inner points, and writes nets from them.
 #include "pliant/ops/build_triangle.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// lib/pliant/ops/even_jacobian.cpp: steps of Gauss and Newton towards a det J that is what it should be.
+// lib/pliant/ops/even_jacobian.cpp: a Gauss-Newton step for the ratios of det J to its targets.
 #include "pliant/ops/even_jacobian.h"
 
 #include <algorithm>
@@ -11,8 +11,9 @@
 namespace pliant {
 namespace {
 
-constexpr int most_halvings = 4;
-constexpr double attachment = 1e-4;  // of a point to where it is, against the ratios, per length of the longest edge
+constexpr int most_halvings = 4;  // a step that did not help is tried at half its length so often
+// The squared movement of a point, in lengths of the longest edge, counts this much beside the squares of the ratios.
+constexpr double movement_weight = 1e-4;
 
 double longest_edge(const Mesh& mesh, std::span<const TriangleId> elements) {
   double longest = 0;
@@ -26,7 +27,7 @@ std::size_t coefficients_of(const Mesh& mesh) {
   return static_cast<std::size_t>(net_size(jacobian_degree(mesh.degree())));
 }
 
-/// One step of Gauss and Newton towards ratios of 1. An object's memory is reused from step to step.
+/// One Gauss-Newton step towards ratios of 1. An object's memory is reused from step to step.
 class EvenStep {
  public:
   bool run(Mesh& mesh, std::span<const TriangleId> elements, std::span<const PointId> points,
@@ -34,13 +35,13 @@ class EvenStep {
 
  private:
   void gather(std::vector<double>& ratios) const;
-  /// The weighted sum of the squares that are to fall.
+  /// The weighted sum of (ratio - 1)^2, which is to fall.
   double sum_of(const std::vector<double>& ratios) const;
-  /// How the ratios change with the points' coordinates, by differences.
+  /// Finds, by differences, how the ratios change with the coordinates of the points.
   void find_slopes();
-  /// Where the points should go, by the slopes. False where that is no number.
+  /// Finds from the slopes where the points should go. False if the solution is not finite.
   bool find_way();
-  /// Goes this far, or half as far and so on, until the sum falls. False, the points where they were, if it never does.
+  /// Goes this far, or half as far and so on, until the sum falls. If it never does: false, and the points are back.
   bool go(double distance);
   void move(double distance);
 
@@ -48,9 +49,9 @@ class EvenStep {
   std::span<const TriangleId> elements_;
   std::span<const PointId> points_;
   std::span<const double> targets_;
-  double length_ = 0;  // of the longest edge
+  double length_ = 0;  // the length of the longest edge
   std::vector<double> ratios_, moved_, weights_;
-  std::vector<double> slopes_;  // of all ratios, one unknown after the other
+  std::vector<double> slopes_;  // for each unknown the slopes of all ratios
   std::vector<double> normal_, way_;
 };
 
@@ -105,7 +106,7 @@ bool EvenStep::find_way() {
       way_[u] += moved_[i] * (1 - ratios_[i]);
     }
     for (std::size_t v = 0; v <= u; ++v) {
-      double sum = u == v ? attachment : 0;
+      double sum = u == v ? movement_weight : 0;
       for (std::size_t i = 0; i < count; ++i) sum += moved_[i] * slopes_[v * count + i];
       normal_[u * unknowns + v] = normal_[v * unknowns + u] = sum;
     }

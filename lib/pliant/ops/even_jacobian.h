@@ -1,4 +1,4 @@
-// lib/pliant/ops/even_jacobian.h: control points placed so that det J comes near to what it should be.
+// lib/pliant/ops/even_jacobian.h: a step that moves control points so that det J comes near to a target.
 #pragma once
 #include <span>
 
@@ -6,16 +6,18 @@
 
 namespace pliant {
 
-/// The Bernstein coefficients of det J of the elements, one element after the other, each divided by its element's
-/// target: ratios has net_size(2 (p - 1)) places for each element.
+/// The Bernstein coefficients of det J of each element, divided by the element's target.
+///
+/// Shapes      targets: one for each element; ratios: net_size(2 (p - 1)) for each element, one element after the other
 void jacobian_ratios(const Mesh& mesh, std::span<const TriangleId> elements, std::span<const double> targets,
                      std::span<double> ratios);
 
-/// One Gauss-Newton step over all the points at once towards the least sum of weight (ratio - 1)^2, and a little of how
-/// far they go; halved until the sum falls, and without effect if it does not. The ratios are affine in each point, so
-/// that their derivatives are exact differences.
+/// Moves all the points at once by a Gauss-Newton step towards the least sum of weight (ratio - 1)^2; a small term for
+/// how far the points go is added. `part` is how much of the step is gone; it is halved a few times until the sum
+/// falls. True if the sum fell; otherwise the points are where they were, but for rounding. The ratios are affine in
+/// each point, so differences give their derivatives exactly.
 ///
-/// Shapes      targets: one for each element; weights: as the ratios, or empty (all 1)
+/// Shapes      targets: one for each element; weights: one for each ratio, or empty (all are 1)
 /// Complexity  O(points^2 ratios); memory is reused from call to call
 bool step_to_even_jacobian(Mesh& mesh, std::span<const TriangleId> elements, std::span<const PointId> points,
                            std::span<const double> targets, std::span<const double> weights, double part = 1);

@@ -1,4 +1,4 @@
-// lib/pliant/ops/flip_edge.cpp: the other diagonal of two triangles (paper §5.2.3).
+// lib/pliant/ops/flip_edge.cpp: checks the quadrilateral, then replaces its diagonal (paper §5.2.3).
 #include "pliant/ops/flip_edge.h"
 
 #include <array>
@@ -12,12 +12,11 @@
 namespace pliant {
 namespace {
 
-/// A corner this near to a straight angle is one where a curve goes on smoothly, but for rounding. The element there
-/// could at best be valid by that rounding, and a place for its points would be looked for at length.
+/// A corner that turns by no more than this counts as straight: a curve goes on smoothly there, but for rounding. An
+/// element there could be valid by rounding alone, and a place for its points would be searched for a long time.
 constexpr double least_turn = 1e-10;
 
-/// The tangents of two sides that meet at a corner turn left there: det J > 0 is possible at that corner. `into` ends
-/// where `out` starts.
+/// True if the tangents of two sides turn left where `into` ends and `out` starts, so that det J > 0 is possible there.
 bool turns_left(const Mesh& mesh, const EdgePoints& into, const EdgePoints& out) {
   const int p = mesh.degree();
   const Point &before = mesh.point(into[p - 1]), &corner = mesh.point(into[p]), &after = mesh.point(out[1]);
@@ -31,12 +30,12 @@ bool turns_left(const Mesh& mesh, const EdgePoints& into, const EdgePoints& out)
 Outcome flip_edge(Mesh& mesh, HalfEdgeId h, const RefitOptions& options) {
   HalfEdgeId g = mesh.twin(h);
   if (g == none) return Outcome::outer_boundary;
-  if (g < h) std::swap(g, h);  // whether a search finds a place must not depend on the side that was asked
+  if (g < h) std::swap(g, h);  // the result must not depend on which of the two half-edges was named
   if (mesh.is_constrained(h)) return Outcome::constrained;
   const TriangleId t = triangle_of(h), u = triangle_of(g);
   const PointId a = mesh.origin(h), b = mesh.target(h), c = mesh.apex(h), d = mesh.apex(g);
   const Point &pa = mesh.point(a), &pb = mesh.point(b), &pc = mesh.point(c), &pd = mesh.point(d);
-  // One of the old logical triangles may be turned over: the flip mends that.
+  // One of the two old logical triangles may be inverted: the flip mends that.
   if (orient2d(pa, pd, pc) <= 0 || orient2d(pd, pb, pc) <= 0 ||
       (orient2d(pa, pb, pc) <= 0 && orient2d(pb, pa, pd) <= 0))
     return Outcome::not_convex;

@@ -37,13 +37,13 @@ Pieces& scratch(int which = 0) {
   return pieces[static_cast<std::size_t>(which)];
 }
 
-constexpr double outside_by = 1e-9;  // barycentric: what locating rounds
+constexpr double outside_by = 1e-9;  // so far outside a barycentric coordinate may be: what locating rounds
 
 constexpr Barycentric unit(int corner) {
   return {corner == 0 ? 1.0 : 0.0, corner == 1 ? 1.0 : 0.0, corner == 2 ? 1.0 : 0.0};
 }
 
-/// Writes the child's rows to the points of triangle t that are in none of the edges to be left alone.
+/// Writes the child's rows to the inner points of triangle t.
 void put_inner_rows(Mesh& mesh, TriangleId t, FaceId f, const Pieces& pieces) {
   const auto net = mesh.net(t);
   for (int k = mesh.layout().first_interior(); k < mesh.net_size(); ++k)
@@ -92,37 +92,37 @@ InsertResult insert_inside(Mesh& mesh, TriangleId t, const Barycentric& xi) {
   return {Outcome::done, v};
 }
 
-/// The split of an edge from a to b at a new vertex x: of the triangles on its sides, and of the curve that it lies on.
+/// The split of an edge from a to b at a new vertex x, with the triangles on its sides and the curve that it lies on.
 class EdgeSplit {
  public:
   /// Makes x and the edges a-x and x-b, and copies what the sides hold.
   EdgeSplit(Mesh& mesh, HalfEdgeId h, double s, SplitCheck check);
   PointId vertex() const { return x_; }
-  /// Replaces each triangle by two; what they hold is a subdivision.
+  /// Replaces the triangle on each side by two that subdivide it.
   void split_sides();
-  /// Inserts the knot, if the edge lies on a curve. False where there is no double between the ends of the span.
+  /// Inserts the knot, if the edge lies on a curve. False if there is no double between the ends of the span.
   bool split_curve();
   bool is_valid() const;
 
  private:
   void split_side(int side);
-  /// Writes the rows of both pieces of a side: t at the origin of the edge, u at its target; `e`: their part of the
-  /// edge.
+  /// Writes the rows of both pieces of a side: t has the origin of the side's half-edge, u its target; in both, half of
+  /// the split edge is local edge e.
   void put_rows(int side, TriangleId t, TriangleId u, int e);
   void constrain(const std::array<HalfEdgeId, 2>& half, ConstraintId constraint);
-  /// Places the points of both edges as the curve's own extraction says, so that M4 holds to the last bits however
-  /// often edges are split.   t0, t: where the two spans start
+  /// Places the points of both edges where the curve's Bézier form has them, so that M4 holds to the last bits however
+  /// often edges are split. The two spans start at t0 and t.
   void place_on_curve(const BSpline& spline, double t0, double t, bool forward);
 
   Mesh& mesh_;
   double s_;
   PointId a_, x_;
-  std::array<HalfEdgeId, 2> sides_;  // of the edge, from a and from b; the second may be none
+  std::array<HalfEdgeId, 2> sides_;  // the half-edges from a and from b; the second may be none
   ConstraintId constraint_;
   EdgePoints first_, second_;                                                   // a-x and x-b
-  std::array<HalfEdgeId, 2> first_half_{none, none}, second_half_{none, none};  // of the same edges, on either side
-  std::array<TriangleId, 4> touched_{none, none, none, none};
-  std::array<bool, 2> may_be_invalid_{};  // the pieces on each side
+  std::array<HalfEdgeId, 2> first_half_{none, none}, second_half_{none, none};  // their half-edges on either side
+  std::array<TriangleId, 4> touched_{none, none, none, none};                   // the pieces: two for each side
+  std::array<bool, 2> may_be_invalid_{};  // for each side: its pieces need not be valid
 };
 
 EdgeSplit::EdgeSplit(Mesh& mesh, HalfEdgeId h, double s, SplitCheck check)
@@ -132,7 +132,7 @@ EdgeSplit::EdgeSplit(Mesh& mesh, HalfEdgeId h, double s, SplitCheck check)
   x_ = mesh.add_point();
   first_ = new_edge(a_, x_, {old.ids.data() + 1, static_cast<std::size_t>(mesh.degree() - 1)}, mesh.degree());
   second_ = new_edge(mesh, x_, b);
-  for (int side = 0; side < 2; ++side) {  // before the shared points are overwritten
+  for (int side = 0; side < 2; ++side) {  // both sides are read before their shared points are overwritten
     const HalfEdgeId g = sides_[static_cast<std::size_t>(side)];
     if (g == none) continue;
     scratch(side).take(mesh, triangle_of(g));

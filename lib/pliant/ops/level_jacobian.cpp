@@ -1,4 +1,4 @@
-// lib/pliant/ops/level_jacobian.cpp: det J of an element made to vary less.
+// lib/pliant/ops/level_jacobian.cpp: collects the points that may move, then steps towards an even det J.
 #include "pliant/ops/level_jacobian.h"
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 namespace pliant {
 
 Outcome level_jacobian(Mesh& mesh, TriangleId t, double part, const RefitOptions& options) {
-  constexpr int steps = 2;  // det J is bilinear in the points: the second step is small
+  constexpr int steps = 2;  // det J is bilinear in the points, so the second step is small already
   const int p = mesh.degree();
   std::array<TriangleId, 4> around{t};
   std::array<PointId, 3 * (max_degree - 1) + 4 * interior_size(max_degree)> points;

@@ -6,13 +6,14 @@
 
 namespace pliant {
 
-/// Moves the control points inside the unconstrained edges of element t, and those inside t and the up to three
-/// elements beyond these edges, so that the Bernstein coefficients of det J, each divided by its element's mean before,
-/// are as near to 1 as can be in the least-squares sense: the bend of a curve is shared with the elements beside.
-/// `part`, in (0, 1], is how much of the way they go. Fields are refitted.
+/// Makes det J vary less in element t and in the up to three elements beyond its unconstrained edges: the bend of a
+/// curve is shared with the elements beside. Two Gauss-Newton steps move the control points inside these edges and
+/// elements so that the Bernstein coefficients of det J, each divided by the mean that its element had before, come
+/// near to 1 in the least-squares sense. `part`, in (0, 1], is how much of each step is gone. Fields are refitted.
 ///
-/// Errors      refuses (mesh unchanged) where nothing is free, or an element would not be valid
-/// Complexity  O(p^6), a Gauss-Newton step with the coefficients' exact derivatives, twice
+/// Refuses     no point that may move (constrained); an element that would not be valid (would_invert); a field's
+///             integral that limited values cannot keep (loses_integral)
+/// Complexity  O(p^6)
 Outcome level_jacobian(Mesh& mesh, TriangleId t, double part = 1, const RefitOptions& options = {});
 
 }  // namespace pliant

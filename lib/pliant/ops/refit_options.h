@@ -1,18 +1,25 @@
-// lib/pliant/ops/refit_options.h: how operations fit what the mesh carries in the new elements.
+// lib/pliant/ops/refit_options.h: how operations fit fields and control points in the elements that they change.
 #pragma once
 namespace pliant {
 
-/// How carried fields are fitted after a flip or a removal.
-enum class Projection { l2, conservative, limited };
+/// How carried fields are fitted after a flip, a removal or a move. Functions of degree <= 1 are always reproduced.
+enum class Projection {
+  l2,            ///< least squares alone
+  conservative,  ///< least squares that keep the integral of each component
+  limited        ///< the same, with values limited by the range of the old ones
+};
 
-/// What is kept where an operation changes the region that elements cover: functions of degree <= 1 stay themselves, or
-/// the integral of each component stays (of a field by face, over each face).
-enum class RegionChange { reproduce, conserve };
+/// What is kept when an operation changes the region that the elements cover.
+enum class RegionChange {
+  reproduce,  ///< functions of degree <= 1
+  conserve    ///< the integral of each component, over each face if the field is by face
+};
 
 struct RefitOptions {
   Projection projection = Projection::limited;
-  /// A flip of elements whose control points are off their straight places by less than this part of their extent lays
-  /// the new edge straight (0: only of straight ones): for meshes whose inner edges are to be straight in the end.
+  /// A flip makes the new edge straight if the old elements are nearly so: no control point is farther from its
+  /// straight place than this part of their longest edge (0: the old elements must be straight to rounding). For meshes
+  /// whose inner edges are to be straight in the end.
   double straight_below = 0;
   RegionChange region_change = RegionChange::reproduce;
 };

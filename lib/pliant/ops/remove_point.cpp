@@ -1,4 +1,4 @@
-// lib/pliant/ops/remove_point.cpp: removal of inner vertices: ears first, then three triangles to one, or four to two.
+// lib/pliant/ops/remove_point.cpp: removal of inner vertices: four triangles to two, or ears and then three to one.
 #include "pliant/ops/remove_point.h"
 
 #include <algorithm>
@@ -20,7 +20,7 @@ void put_rows(Mesh& mesh, TriangleId t, std::span<const double> rows, int first,
     mesh.put_row(mesh.net(t)[index(k)], mesh.face(t), rows.subspan(index(k) * width, width));
 }
 
-/// The parent of the three triangles of v if they are its subdivision; corners in the order of the star.
+/// Finds the parent of the three triangles of a star, if they are its subdivision. Its corners are in the star's order.
 bool recover_of_three(const Mesh& mesh, const Star& star, ParentRecovery& parent) {
   const int p = mesh.degree();
   const NetLayout& layout = mesh.layout();
@@ -28,11 +28,12 @@ bool recover_of_three(const Mesh& mesh, const Star& star, ParentRecovery& parent
   for (int c = 0; c < 3; ++c) old[index(c)] = triangle_of(star.outgoing[index(c)]);
   parent.start(mesh, old);
   for (int c = 0; c < 3; ++c) parent.take_edge(c, c, edge_of(next(star.outgoing[index(c)])));
-  // The first step of de Casteljau at each corner tells where v is: the corner + xi2 (along 12) + xi3 (along 13) at the
-  // first, and so on. Least squares over all of them.
+  // Where is v in the parent? On the edge from each corner to v, the control point next to the corner comes from the
+  // first step of de Casteljau there: corner + xi2 (along 12) + xi3 (along 13) at the first corner, and so on. These
+  // are six equations for xi2 and xi3, solved by least squares.
   double aa = 0, ab = 0, bb = 0, ar = 0, br = 0;
   for (int c = 0; c < 3; ++c) {
-    // The blossom with every argument but one at this corner, the last at each of the three corners.
+    // The blossom with all arguments but the last at this corner, and the last one at each of the three corners.
     std::array<Point, 3> last;
     last[index(c)] = parent.point(c);
     last[index((c + 1) % 3)] = parent.point(layout.edge_index(c, 1));
@@ -59,8 +60,8 @@ bool recover_of_three(const Mesh& mesh, const Star& star, ParentRecovery& parent
   return parent.find_inner(corners);
 }
 
-/// 4→2 where the four triangles are a split edge's: the parents come back. `first`: the edge runs from link[first] to
-/// link[first + 2].
+/// Undoes a split (4→2) if the four triangles are the pieces of two, divided on the edge from link vertex `first` to
+/// link vertex first + 2: the two parents come back.
 bool undo_split(Mesh& mesh, PointId v, const Star& star, int first) {
   const auto link = [&](int i) { return mesh.target(star.outgoing[index((first + i) % 4)]); };
   const std::array<PointId, 3> right{link(0), link(1), link(2)}, left{link(2), link(3), link(0)};
@@ -68,7 +69,7 @@ bool undo_split(Mesh& mesh, PointId v, const Star& star, int first) {
   const int p = mesh.degree();
   thread_local std::array<ParentRecovery, 2> parents;
   if (!recover_merged(mesh, v, right, parents[0])) return false;
-  std::array<Point, max_degree + 1> shared;  // the right parent's edge runs from link 2 to link 0, the left one's back
+  std::array<Point, max_degree + 1> shared;  // as the left parent has it; in the right one it runs the other way
   for (int k = 0; k <= p; ++k) shared[index(k)] = parents[0].point(mesh.layout().edge_index(2, p - k));
   if (!recover_merged(mesh, v, left, parents[1], {shared.data(), index(p + 1)})) return false;
   Transaction transaction(mesh);

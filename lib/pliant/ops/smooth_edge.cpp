@@ -1,4 +1,4 @@
-// lib/pliant/ops/smooth_edge.cpp: new places for the inner control points of an edge or element (paper §5.2.4).
+// lib/pliant/ops/smooth_edge.cpp: moves tried on a TrialPatch, then applied to the mesh (paper §5.2.4).
 #include "pliant/ops/smooth_edge.h"
 
 #include <array>
@@ -8,7 +8,7 @@
 namespace pliant {
 namespace {
 
-/// Of each thread one, for its memory.
+/// A patch that holds copies of the elements. There is one per thread, so that its memory is reused.
 TrialPatch& captured(const Mesh& mesh, std::span<const TriangleId> elements) {
   thread_local TrialPatch trial;
   trial.capture(mesh, elements);
@@ -23,6 +23,7 @@ Outcome place(Mesh& mesh, std::span<const TriangleId> elements, std::span<const 
   return trial.apply(mesh, options, all_valid(mesh, elements));
 }
 
+/// Why the points inside an edge may not move; `done` if they may.
 Outcome refusal_of(const Mesh& mesh, HalfEdgeId h) {
   if (mesh.is_constrained(h)) return Outcome::constrained;
   return mesh.twin(h) == none ? Outcome::outer_boundary : Outcome::done;

@@ -7,20 +7,25 @@
 
 namespace pliant {
 
-/// Moves the inner control points of an unconstrained edge, one at a time, by optimal placement over the elements of
-/// the edge; fields are refitted. Refuses (mesh unchanged) when nothing improves.
+/// Moves the control points inside an unconstrained edge, one at a time, by optimal placement over the two elements of
+/// the edge; fields are refitted.
+///
+/// Refuses     where no point moves (would_invert); where valid elements would not stay valid
 Outcome smooth_edge(Mesh& mesh, HalfEdgeId h, SmoothGoal goal, const RefitOptions& options = {});
 
-/// The same for the inner control points of one element (none at p <= 2).
+/// The same for the inner control points of one element; refused as not_removable at p <= 2, where there are none.
 Outcome smooth_interior(Mesh& mesh, TriangleId t, SmoothGoal goal, const RefitOptions& options = {});
 
-/// Scales the displacement of an unconstrained edge's inner control points from straight by `keep` (0: straight), and
-/// blends the inner points of both elements from their edges; fields are refitted. Refuses where an element would not
-/// be valid.
+/// Scales the distance of the control points inside an unconstrained edge from their straight places by `keep` (0: the
+/// edge becomes straight), and blends the inner points of both elements (see blend_interior); fields are refitted.
+///
+/// Refuses     where an element would not be valid
 Outcome straighten_edge(Mesh& mesh, HalfEdgeId h, double keep, const RefitOptions& options = {});
 
-/// Blends the inner control points of an element from its edges: each edge's displacement fades towards the opposite
-/// corner (p <= 2: there are none).
+/// Blends the inner control points of an element from its edges: each is displaced from its straight place as the edges
+/// are, and the displacement of an edge fades towards the opposite corner.
+///
+/// Refuses     p <= 2, where there are none (not_removable); where the element would not be valid
 Outcome blend_interior(Mesh& mesh, TriangleId t, const RefitOptions& options = {});
 
 }  // namespace pliant

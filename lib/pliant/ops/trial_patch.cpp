@@ -1,4 +1,4 @@
-// lib/pliant/ops/trial_patch.cpp: the control points of a few elements, moved on a copy before any is in the mesh.
+// lib/pliant/ops/trial_patch.cpp: moves on the copy, and their way into the mesh.
 #include "pliant/ops/trial_patch.h"
 
 #include <algorithm>
@@ -11,13 +11,14 @@
 namespace pliant {
 namespace {
 
-// The points move in turn, so that the last digits of an optimum and a proof that there is none are of no use.
+// How far placements are refined. The points move in turn, so neither the last digits of one point's optimum nor a
+// proof that it has no valid place is worth its cost.
 constexpr double accuracy = 1e-2;
 constexpr int most_pieces = 40;
 
-/// The border of a patch stays, so its signed integral is kept on tangled elements, too. Weights of both signs may ask
-/// for any values, which only limits bound. False, the fields as they were, where no
-/// values within them have the integral.
+/// Fits the fields of elements that are or were tangled. The border of the patch stays, so the signed integral can be
+/// kept here too. But the integral's weights have both signs, so without limits the values could become arbitrarily
+/// large. If no values within the limits have the integral: false, and the fields are as they were.
 bool fit_tangled(const Patch& patch, Mesh& mesh, std::span<const TriangleId> elements, std::span<const PointId> moved,
                  const RefitOptions& options) {
   RefitOptions fit = options;
@@ -96,7 +97,7 @@ void TrialPatch::blend(const Mesh& mesh, TriangleId t) {
   const auto e = static_cast<std::size_t>(std::find(elements_.begin(), elements_.end(), t) - elements_.begin());
   assert(e < elements_.size());
   const std::span<Point> points{nets_.data() + e * size_, size_};
-  // The displacement of an edge's polygon from its chord at parameter s in [0, 1], linear between control points.
+  // How far the polygon of an edge is displaced from its chord at parameter s in [0, 1]; linear between control points.
   const auto bend = [&](int edge, double s) {
     const int k = std::min(degree_ - 1, static_cast<int>(s * degree_));
     const auto displacement = [&](int i) {

@@ -1,4 +1,4 @@
-// lib/pliant/quality/crossing_edges.cpp: boxes first, then contacts.
+// lib/pliant/quality/crossing_edges.cpp: pairs of edges whose boxes overlap, then a test of each pair.
 #include "pliant/quality/crossing_edges.h"
 
 #include <algorithm>

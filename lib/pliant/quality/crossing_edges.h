@@ -10,11 +10,11 @@
 
 namespace pliant {
 
-/// Bézier curves of one degree.
+/// Edges as Bézier curves, all of one degree.
 struct EdgeCurves {
   int degree = 1;
-  std::vector<Point> points;                      ///< degree + 1 an edge
-  std::vector<std::pair<PointId, PointId>> ends;  ///< of each edge: equal ids are one and the same vertex
+  std::vector<Point> points;                      ///< degree + 1 for each edge
+  std::vector<std::pair<PointId, PointId>> ends;  ///< the vertices that each edge joins
 
   std::span<const Point> polygon(std::size_t edge) const {
     const auto n = static_cast<std::size_t>(degree) + 1;
@@ -28,10 +28,11 @@ struct Crossing {
   Point place;
 };
 
-/// All pairs of edges that meet elsewhere than at a common vertex: that cross, touch, or are closer than 1e-11 of their
-/// size, as check_boundary_geometry has it; ascending, and at most `most` of them. A cusp at a common vertex does not
-/// count, nor does an edge that crosses itself.
-/// Complexity  O(n log n + pairs of boxes that overlap), pairs decided by subdivision
+/// All pairs of edges that meet elsewhere than at a common vertex, ascending, but at most `most` of them. Edges meet if
+/// they cross, touch, or are closer than 1e-11 of their size (check_boundary_geometry has the same tolerance). A cusp
+/// at a common vertex does not count, nor does an edge that crosses itself.
+///
+/// Complexity  O(n log n + pairs of boxes that overlap); each such pair is decided by subdivision
 std::vector<Crossing> find_crossings(const EdgeCurves& edges, std::size_t most = 100'000);
 
 }  // namespace pliant

@@ -1,4 +1,4 @@
-// lib/pliant/quality/edge_curves.cpp: Gauss rules, where needed on halved pieces.
+// lib/pliant/quality/edge_curves.cpp: arc lengths by Gauss rules, on halved pieces where one rule is not enough.
 #include "pliant/quality/edge_curves.h"
 
 #include <algorithm>
@@ -43,9 +43,10 @@ double length_between(std::span<const Point> polygon, double guess, double toler
   return length_between(first, a, tolerance, depth - 1) + length_between(second, b, tolerance, depth - 1);
 }
 
-/// A parabola that bends gently. Its speed is |v|, v linear from the first leg to the second, and as a function of the
-/// parameter it is analytic but at two points, which are as far from [0, 1] as the least |v| is longer than the change
-/// of v. From twice the interval's length on, six Gauss nodes are right to 1e-11.
+/// The length of a parabola that bends gently; nothing for any other. Its speed is |v|, where v goes linearly from the
+/// first leg to the second. As a function of the parameter, |v| is analytic except at two points of the complex plane.
+/// Their distance from [0, 1] is the least |v| divided by the length by which v changes. If it is at least 2, six Gauss
+/// nodes are right to 1e-11.
 std::optional<double> gentle_length(std::span<const Point> polygon) {
   const Vector first = polygon[1] - polygon[0], second = polygon[2] - polygon[1], change = second - first;
   const double turn = squared_length(change);
@@ -57,7 +58,8 @@ std::optional<double> gentle_length(std::span<const Point> polygon) {
   return 2 * sum;
 }
 
-/// Of lengths whose squares over- or underflow. A size that is not finite has no length.
+/// The length of a curve whose squared lengths over- or underflow: scales it by a power of two first. Infinite if the
+/// size is not finite.
 double length_at_any_scale(std::span<const Point> polygon, double size) {
   if (!std::isfinite(size)) return HUGE_VAL;
   if (size == 0) return 0;
@@ -110,10 +112,10 @@ double curve_length(std::span<const Point> polygon) {
   if (!(size >= 0x1p-400 && size <= 0x1p400)) return length_at_any_scale(polygon, size);
   const double chord = std::sqrt(squared_length(whole));
   for (std::size_t k = 1; k < polygon.size(); ++k) legs += std::sqrt(squared_length(polygon[k] - polygon[k - 1]));
-  if (!(legs - chord > 1e-14 * legs)) return chord;  // between the two lies the length
+  if (!(legs - chord > 1e-14 * legs)) return chord;  // the length lies between the chord and the sum of the legs
   if (polygon.size() == 3)
     if (const std::optional<double> length = gentle_length(polygon)) return *length;
-  // Relative to its start: far from the origin the rounding of halves would never let two estimates agree.
+  // The curve is taken relative to its start: far from the origin, rounding would never let two estimates agree.
   Polygon relative;
   for (std::size_t k = 0; k < polygon.size(); ++k) relative[k] = polygon[k] - polygon[0];
   const auto from_start = std::span<const Point>(relative).first(polygon.size());

@@ -7,15 +7,15 @@
 
 namespace pliant {
 
-/// The control points of a half-edge in its direction: ids, and places.
+/// The control points along a half-edge, in its direction.
 std::vector<PointId> edge_ids(const MeshData& data, HalfEdgeId h);
-/// Into `polygon`, of degree + 1 points.
+/// Writes the positions of these points into `polygon`.   Shapes  polygon: degree + 1
 void edge_polygon(const MeshData& data, HalfEdgeId h, std::span<Point> polygon);
 
-/// Arc length of edge e of an element.
+/// The arc length of edge e of an element.
 double edge_length(int degree, std::span<const Point> net, int e);
 
-/// Arc length of a Bézier curve, to 1e-9 relative (next to a cusp 1e-6).
+/// The arc length of a Bézier curve, to a relative error of 1e-9 (next to a cusp 1e-6).
 double curve_length(std::span<const Point> polygon);
 
 }  // namespace pliant

@@ -1,4 +1,4 @@
-// lib/pliant/quality/field_figures.cpp: range and integral of every carried field (private to this layer).
+// lib/pliant/quality/field_figures.cpp: integrals as sums of a control value times the integral of its basis function.
 #include "pliant/quality/field_figures.h"
 
 #include <algorithm>
@@ -17,7 +17,7 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-/// Row-major: the integral over the unit right triangle of the basis function m of degree p times n of det J.
+/// Row m, column n: the integral over the unit right triangle of basis function m of the field times n of det J.
 std::vector<double> mixed_mass(int degree) {
   const NetLayout& of_field = NetLayout::of(degree);
   const NetLayout& of_jacobian = NetLayout::of(jacobian_degree(degree));
@@ -49,14 +49,14 @@ std::vector<double> basis_integrals(const MeshData& data, std::span<const Triang
   return result;
 }
 
-/// The row of a field's values that belongs to a control point seen from a face.
+/// Finds the row of a field's values that belongs to a control point, as seen from a face.
 class Rows {
  public:
   explicit Rows(const Field& field) : by_face_(field.by_face) {
     for (std::size_t k = 0; by_face_ && k < field.places.size(); ++k)
       rows_[key(field.places[k][0], field.places[k][1])] = k;
   }
-  /// npos where a field by face lacks the place.
+  /// What `find` returns if a field by face has no value at this point and face.
   static constexpr std::size_t npos = std::numeric_limits<std::size_t>::max();
   std::size_t find(PointId p, FaceId f) const {
     if (!by_face_) return static_cast<std::size_t>(p);

@@ -1,4 +1,4 @@
-// lib/pliant/quality/field_figures.h: range and integral of every carried field (private to this layer).
+// lib/pliant/quality/field_figures.h: the range and the integral of every carried field (private to this layer).
 #pragma once
 #include <span>
 #include <vector>
@@ -8,7 +8,7 @@
 
 namespace pliant {
 
-/// Over the chosen triangles. The integral is that of the polynomial f det J: exact to rounding.
+/// The figures of every field over the chosen triangles. Integrals of the polynomial f det J are exact to rounding.
 std::vector<FieldFigures> field_figures(const MeshData& data, std::span<const TriangleId> chosen);
 
 }  // namespace pliant

@@ -1,4 +1,4 @@
-// lib/pliant/quality/least_quality.cpp: measured where bounds do not settle it.
+// lib/pliant/quality/least_quality.cpp: measures an element only if bounds do not show that it is better.
 #include "pliant/quality/least_quality.h"
 
 #include <algorithm>
@@ -12,9 +12,9 @@
 namespace pliant {
 namespace {
 
-constexpr double range_width = 1e-3;  // of det J, as the quality report has it by default
+constexpr double range_width = 1e-3;  // relative width of the bounds of det J: the default of the quality report
 
-/// Do the coefficients of the two forms show that the element is better than this in both?
+/// True if the coefficients of the two forms show that the element is better than this in both measures.
 bool is_surely_better(const ElementForms& forms, const LeastQuality& than) {
   if (!forms.is_finite || forms.is_point) return false;
   const auto coefficients = std::span<const double>(forms.jacobian).first(index(forms.size()));

@@ -1,4 +1,4 @@
-// lib/pliant/quality/metric_summary.cpp: from a column of values to its summary (private to this layer).
+// lib/pliant/quality/metric_summary.cpp: extremes, sums, histograms and the worst values, block by block.
 #include "pliant/quality/metric_summary.h"
 
 #include <algorithm>
@@ -13,7 +13,7 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-/// Least, greatest and sum of some values that are finite; without branches, four at a time.
+/// The least, the greatest and the sum of some finite values; computed four at a time, without branches.
 struct Extent {
   double min, max, sum;
 };
@@ -34,7 +34,7 @@ Extent extent_of(std::span<const double> values) {
 }  // namespace
 
 void Summariser::Histogram::add(std::span<const double> values) {
-  // Halves, for the whole width may overflow.
+  // Halves are used since the whole width may overflow.
   const double half_width = high / 2 - low / 2, half_low = low / 2;
   const double scale = half_width > 0 ? static_cast<double>(counts.size()) / half_width : 0;
   const double last = static_cast<double>(counts.size() - 1);
@@ -54,7 +54,7 @@ Summariser::Summariser(const Metric& metric, int bins, int worst, bool keeps_val
   if (keeps_values_) values_.reserve(expected);
   if (!has_range_ || bins_ == 0) return;
   narrow_ = {metric.low, metric.high, std::vector<std::array<std::int64_t, 4>>(static_cast<std::size_t>(bins_))};
-  // A tau may be negative, but is at least -1.
+  // A shape (tau) may be negative, but is at least -1.
   if (metric.low == 0 && metric.high == 1) wide_ = {-1, 1, narrow_.counts};
 }
 
@@ -66,7 +66,7 @@ void Summariser::add(std::span<const double> values) {
     narrow_.add(values);
     if (!wide_.counts.empty()) wide_.add(values);
   }
-  constexpr std::size_t block_size = 512;  // summed by itself, which keeps the rounding small
+  constexpr std::size_t block_size = 512;  // each block is summed by itself, which keeps rounding errors small
   std::array<double, block_size> finite;
   for (std::size_t done = 0; done < values.size(); done += block_size) {
     const std::span<const double> all = values.subspan(done, std::min(block_size, values.size() - done));

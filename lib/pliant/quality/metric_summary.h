@@ -1,4 +1,4 @@
-// lib/pliant/quality/metric_summary.h: from a column of values to its summary (private to this layer).
+// lib/pliant/quality/metric_summary.h: sums a column of values up (private to this layer).
 #pragma once
 #include <array>
 #include <cmath>
@@ -12,9 +12,10 @@
 
 namespace pliant {
 
-/// Sums up the values of one metric, some at a time (NaN: does not exist). Where the worst are is the caller's to say:
-/// `triangle` is the place of the value among all, and of equal ones the first is the worst. A fixed range of the
-/// histogram is widened where values lie outside it; for the others, and where `keeps_values`, values are kept.
+/// Sums up the values of one metric, some at a time; NaN stands for a value that does not exist. In the list of the
+/// worst values, `triangle` is the position of the value among all that were added, and the first of equal values is
+/// the worst; the caller replaces positions by triangles. Values are kept if `keeps_values`, and if the histogram has
+/// no fixed range. A fixed range from 0 to 1 becomes -1 to 1 if there are negative values.
 class Summariser {
  public:
   Summariser(const Metric& metric, int bins, int worst, bool keeps_values, std::size_t expected);
@@ -24,11 +25,11 @@ class Summariser {
   std::vector<double>& values() { return values_; }
 
  private:
-  /// Values in [low, high] fall into equal bins, what is outside into the outer ones.
+  /// Equal bins over [low, high]; values outside fall into the outer bins.
   struct Histogram {
     double low = 0, high = 0;
-    // Four counters a bin: values that follow each other are often in the same one, where each increment waits for the
-    // last.
+    // Four counters for each bin: values that follow each other often fall into the same bin, and increments of one
+    // counter would wait for each other.
     std::vector<std::array<std::int64_t, 4>> counts;
     void add(std::span<const double> values);
   };
@@ -38,13 +39,14 @@ class Summariser {
   int bins_;
   std::size_t most_;
   bool has_range_, keeps_values_;
-  Histogram narrow_, wide_;  // of a fixed range, and of the one that holds negative values too
+  Histogram narrow_, wide_;  // over the fixed range, and over -1 to 1, which holds negative values too
   std::vector<double> values_;
   std::size_t count_ = 0;
   std::int64_t missing_ = 0;
   double min_ = HUGE_VAL, max_ = -HUGE_VAL;
-  long double sum_ = 0;                               // which does not overflow
-  std::vector<std::pair<double, std::size_t>> heap_;  // the worst, with the least bad of them on top; values signed
+  long double sum_ = 0;  // in long double the sum does not overflow
+  // The worst values with their positions, the least bad on top. Values are negated if the largest are the worst.
+  std::vector<std::pair<double, std::size_t>> heap_;
 };
 
 }  // namespace pliant

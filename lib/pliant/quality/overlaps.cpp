@@ -20,8 +20,8 @@ namespace {
 
 using Polygon = std::array<Point, max_degree + 1>;
 
-/// How often the curve crosses the ray from `from` to the right, upwards less downwards. A point at the height of the
-/// ray counts as below it, so that curves that share an end there agree.
+/// How often the curve crosses the horizontal ray from `from` to the right: upward crossings less downward ones. A
+/// point at the height of the ray counts as below it, so that curves which share an end there agree.
 int crossings_to_the_right(std::span<const Point> polygon, const Point& from, int depth = 0) {
   Box box;
   for (const Point& p : polygon) box.extend(p);
@@ -87,7 +87,8 @@ class OverlapSearch {
     std::ranges::sort(crossing_);
   }
 
-  /// The boundary half-edge behind h around the half-disk at its end; none where the document is no manifold there.
+  /// The boundary half-edge that follows h, found by going around the end of h; none if the document is no manifold
+  /// there.
   HalfEdgeId next_on_loop(HalfEdgeId h) {
     HalfEdgeId g = next(h);
     for (; budget_ > 0; --budget_) {
@@ -97,7 +98,7 @@ class OverlapSearch {
     return none;
   }
 
-  /// A point of the element just inside the middle of the half-edge.
+  /// A point of the element beside the middle of the half-edge, just inside.
   Point point_beside(HalfEdgeId h) const {
     constexpr double inside = 0x1p-10;
     Barycentric xi;
@@ -122,12 +123,12 @@ class OverlapSearch {
       for (const Point& p : polygon) boxes[k].extend(p);
     }
     const Strips strips(boxes);
-    std::map<HalfEdgeId, bool> is_passed;  // outer half-edges, whether their loop is done
+    std::map<HalfEdgeId, bool> is_passed;  // for each outer half-edge: whether its loop is done
     for (const HalfEdgeId h : outer_) is_passed.emplace_hint(is_passed.end(), h, false);
     budget_ = 3 * std::ssize(data_.triangle_faces);
     for (const HalfEdgeId start : outer_) {
       if (is_passed[start]) continue;
-      bool crosses = false;  // then the covering changes along the loop
+      bool crosses = false;  // if so, the winding number changes along the loop
       for (HalfEdgeId h = start; h != none && !is_passed[h]; h = next_on_loop(h)) {
         is_passed[h] = true;
         crosses = crosses || std::ranges::binary_search(crossing_, h);
@@ -144,9 +145,9 @@ class OverlapSearch {
   const MeshData& data_;
   const HalfEdges& half_edges_;
   std::size_t most_;
-  std::vector<HalfEdgeId> outer_;     // half-edges without another triangle, by the order of the edges
-  std::vector<HalfEdgeId> crossing_;  // of edges that cross others, sorted
-  std::int64_t budget_ = 0;           // of steps around vertices, for what is no manifold may never end
+  std::vector<HalfEdgeId> outer_;     // half-edges without a twin, ascending
+  std::vector<HalfEdgeId> crossing_;  // half-edges of edges that cross others, sorted
+  std::int64_t budget_ = 0;           // steps around vertices that are left: around a non-manifold they may never end
   Overlaps result_;
 };
 

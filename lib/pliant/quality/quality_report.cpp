@@ -1,4 +1,4 @@
-// lib/pliant/quality/quality_report.cpp: gathers the figures.
+// lib/pliant/quality/quality_report.cpp: gathers the figures of a mesh, its faces, its fields and its elements.
 #include "pliant/quality/quality_report.h"
 
 #include <algorithm>
@@ -96,7 +96,7 @@ class Reporter {
     };
     std::vector<char> use = uses_in([](TriangleId) { return true; });
     report_.unused_points = std::ranges::count(use, char{unused});
-    // Where no two elements overlap, no two vertices are at one place.
+    // If no two elements overlap, no two vertices are at one place.
     const bool is_injective = is_sound && report_.overlaps == 0 && report_.invalid == 0 && report_.degenerate == 0 &&
                               chosen_.size() == data_.triangle_faces.size();
     report_.duplicate_points = is_injective ? 0 : count_duplicates(data_.points, use, char{vertex});
@@ -105,11 +105,12 @@ class Reporter {
     report_.control_points = std::ssize(use) - std::ranges::count(use, char{unused});
   }
 
-  /// What the length of a half-edge's curve counts for.
+  /// What the length of a half-edge counts for: as an edge of the mesh, and in the perimeter of a face.
   enum EdgeRole : char { no_role = 0, of_edge = 1, of_perimeter = 2 };
 
-  /// Every edge is one entry of its metric, at the first chosen triangle that has it; on the perimeter of a face are
-  /// those that only one of its triangles has.
+  /// Gives each half-edge of a chosen triangle its role, and returns the number of edges. Every edge counts once, at
+  /// the first chosen triangle that has it. An edge counts in the perimeter of a face if only one triangle of the face
+  /// has it.
   std::size_t assign_edges(const HalfEdges& half_edges) {
     roles_.resize(3 * data_.triangle_faces.size());
     std::size_t count = 0;
@@ -125,7 +126,7 @@ class Reporter {
     return count;
   }
 
-  /// The triangle at which the edge was entered.
+  /// The triangle at which the edge with this number was counted.
   TriangleId triangle_of_edge(std::size_t edge) const {
     std::size_t before = 0;
     for (const TriangleId t : chosen_) {
@@ -211,8 +212,8 @@ class Reporter {
   std::vector<bool> is_face_chosen_;
   std::vector<TriangleId> chosen_;
   std::vector<FaceFigures> figures_;
-  std::vector<Summariser> metrics_;  // of edge lengths a value an edge, of all else an element
-  std::vector<char> roles_;          // of half-edges
+  std::vector<Summariser> metrics_;  // edge lengths have a value for each edge, all others one for each element
+  std::vector<char> roles_;          // the EdgeRole of each half-edge
   std::vector<double> lengths_;      // scratch
   // Of each chosen element, where single elements are asked for.
   std::vector<Validity> validity_;

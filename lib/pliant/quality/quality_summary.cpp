@@ -1,4 +1,4 @@
-// lib/pliant/quality/quality_summary.cpp: a mesh in a few figures, for what passes say of before and after.
+// lib/pliant/quality/quality_summary.cpp: extremes over the elements, and sizes of the field components by quadrature.
 #include "pliant/quality/quality_summary.h"
 
 #include <algorithm>
@@ -21,7 +21,7 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-/// Where the values of a control point begin, seen from a face; none where a field by face lacks the place.
+/// Index of the first value at a control point, as seen from a face; none if a field by face has no value there.
 std::ptrdiff_t first_value(const Field& field, PointId p, FaceId f) {
   std::ptrdiff_t row = p;
   if (field.by_face) {
@@ -33,7 +33,7 @@ std::ptrdiff_t first_value(const Field& field, PointId p, FaceId f) {
   return row * field.components;
 }
 
-/// The basis at the nodes of a rule that is exact for u² det J, node by node.
+/// The basis functions of field and det J at each node of a quadrature rule that is exact for u² det J.
 struct Tables {
   std::span<const TriangleNode> rule;
   std::vector<double> of_field, of_jacobian;
@@ -50,7 +50,7 @@ struct Tables {
   }
 };
 
-/// Largest |control value| and norm of each component.
+/// Measures how large each component of each field is.
 std::vector<ComponentSize> measure_fields(const MeshData& data) {
   std::vector<ComponentSize> sizes;
   for (const Field& field : data.fields)
@@ -91,17 +91,17 @@ QualitySummary summarize_quality(const MeshData& data) {
   QualitySummary summary{std::ssize(data.triangle_faces), 0, 0, nan, nan, nan, nan, {}};
   std::vector<TriangleId> all(data.triangle_faces.size());
   std::iota(all.begin(), all.end(), 0);
-  // fmin and fmax leave out what does not exist, as report_quality does with what is not finite.
+  // fmin and fmax leave NaN out; report_quality leaves out all that is not finite.
   const auto value = [](double x) { return std::isfinite(x) ? x : nan; };
   measure_elements(data, all, QualityOptions().jacobian_width,
                    [&](std::size_t, std::span<const ElementMeasures> measures) {
-                     for (const ElementMeasures& of : measures) {
-                       summary.invalid += of.validity == Validity::invalid;
-                       summary.degenerate += of.validity == Validity::degenerate;
-                       summary.min_logical_angle = std::fmin(summary.min_logical_angle, value(of.logical_angle));
-                       summary.min_scaled_jacobian = std::fmin(summary.min_scaled_jacobian, value(of.scaled_jacobian));
-                       summary.min_shape = std::fmin(summary.min_shape, value(of.shape));
-                       summary.max_distortion = std::fmax(summary.max_distortion, value(of.distortion));
+                     for (const ElementMeasures& m : measures) {
+                       summary.invalid += m.validity == Validity::invalid;
+                       summary.degenerate += m.validity == Validity::degenerate;
+                       summary.min_logical_angle = std::fmin(summary.min_logical_angle, value(m.logical_angle));
+                       summary.min_scaled_jacobian = std::fmin(summary.min_scaled_jacobian, value(m.scaled_jacobian));
+                       summary.min_shape = std::fmin(summary.min_shape, value(m.shape));
+                       summary.max_distortion = std::fmax(summary.max_distortion, value(m.distortion));
                      }
                    });
   summary.fields = measure_fields(data);

@@ -1,4 +1,4 @@
-// lib/pliant/quality/report_unit.cpp: the figures of a mesh in the units of its document.
+// lib/pliant/quality/report_unit.cpp: converts the figures of a scaled mesh to the units of its document.
 #include <string_view>
 
 #include "pliant/quality/metrics.h"

@@ -1,4 +1,4 @@
-// lib/pliant/quality/tangent_jump.cpp: of splines by de Boor, of edges by legs.
+// lib/pliant/quality/tangent_jump.cpp: tangents of splines by de Boor's algorithm, tangents of edges by polygon legs.
 #include "pliant/quality/tangent_jump.h"
 
 #include <algorithm>
@@ -10,7 +10,8 @@
 namespace pliant {
 namespace {
 
-/// The first leg of the polygon that has a length, from the start or (reversed, pointing on) from the end.
+/// The tangent of a polygon at its start or its end, in the polygon's direction: the vector between that end and the
+/// first control point from there that differs from it.
 Vector end_leg(const MeshData& data, std::span<const PointId> ids, bool from_end) {
   const std::size_t n = ids.size();
   const auto point = [&](std::size_t k) {
@@ -25,7 +26,7 @@ struct LargestAngle {
   std::optional<double> value;
   void see(const Vector& before, const Vector& after) {
     if (before == Vector{} || after == Vector{}) return;
-    // By lengths, so that products of small derivatives do not underflow; atan2, for it is exact near zero.
+    // Divided by their lengths, small derivatives have products that do not underflow. atan2 is exact near zero.
     const Vector u = before / length(before), v = after / length(after);
     value = std::max(value.value_or(0), std::fabs(std::atan2(cross(u, v), dot(u, v))));
   }

@@ -1,4 +1,4 @@
-// lib/pliant/quality/tangent_jump.h: how smooth are the boundary curves, and the mesh's edges on them?
+// lib/pliant/quality/tangent_jump.h: measures how smooth the boundary curves are, and the mesh edges on them.
 #pragma once
 #include <optional>
 
@@ -6,10 +6,10 @@
 
 namespace pliant {
 
-/// The largest angle (radians) between the one-sided tangents at breaks whose knot has a multiplicity below the
-/// degree, of the splines of the boundary and of the mesh's edges on them (end legs of the control polygons of
-/// consecutive spans). Empty if there are no such breaks. Where a tangent vanishes the angle does not exist and is left
-/// out.
+/// The largest angle (radians) between the two one-sided tangents at a break whose knot has a multiplicity below the
+/// degree: tangents of the boundary's splines, and of the mesh edges that meet there (the end legs of their control
+/// polygons). Where a tangent vanishes there is no angle. Empty if there is no angle at all.
+///
 /// Requires    check_arrays(data) to be empty
 std::optional<double> tangent_jump(const MeshData& data);
 

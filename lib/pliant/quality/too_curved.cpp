@@ -1,4 +1,4 @@
-// lib/pliant/quality/too_curved.cpp: when is an element too curved, and by how much (paper §5.3.4).
+// lib/pliant/quality/too_curved.cpp: measures against bounds, with a quick proof for elements that are surely fine.
 #include "pliant/quality/too_curved.h"
 
 #include <algorithm>
@@ -15,11 +15,11 @@
 namespace pliant {
 namespace {
 
-constexpr double margin = 1e-9;       // of what is_fine takes for granted: above all rounding
-constexpr double range_width = 1e-3;  // of the scaled Jacobian, as scaled_jacobian has it
-constexpr double worst_valid = 0.999 * tangled_excess;
+constexpr double margin = 1e-9;       // what is_surely_fine proves holds with this relative margin for rounding
+constexpr double range_width = 1e-3;  // relative width of the bounds of det J: the same as in scaled_jacobian
+constexpr double worst_valid = 0.999 * tangled_excess;  // the excess of a certified element is at most this
 
-/// The cosine of an angle is at least `least`; false where squares over- or underflow.
+/// True if the cosine of the angle is at least `least`; false if squares over- or underflow.
 bool is_turn_within(const Vector& from, const Vector& to, double least) {
   const double product = dot(from, to), squares = squared_length(from) * squared_length(to);
   if (!(squares > 0) || !std::isfinite(squares)) return false;
@@ -27,6 +27,7 @@ bool is_turn_within(const Vector& from, const Vector& to, double least) {
   return signed_square >= (least * std::fabs(least) + margin) * squares;
 }
 
+/// The largest turning of the edges that are not fixed.
 double turning_of(int degree, std::span<const Point> net, unsigned fixed) {
   if (fixed == 0) return element_turning(degree, net);
   const NetLayout& layout = NetLayout::of(degree);
@@ -45,7 +46,7 @@ double turning_of(int degree, std::span<const Point> net, unsigned fixed) {
 CurvatureTest::CurvatureTest(int degree, const CurvatureBounds& bounds)
     : degree_(degree),
       bounds_(bounds),
-      // A curve turns by no more than its polygon does in all (Bernstein polynomials diminish variation).
+      // A curve turns by no more than its control polygon (Bernstein polynomials diminish variation).
       least_cosine_(degree > 1 ? std::cos(std::min(bounds.max_turning / (degree - 1), std::numbers::pi)) : -1) {}
 
 double CurvatureTest::excess(std::span<const Point> net, unsigned fixed) const {
@@ -59,7 +60,7 @@ double CurvatureTest::excess(std::span<const Point> net, unsigned fixed) const {
       std::max({(distortion(forms) - 1) / (bounds_.max_distortion - 1), jacobian_peak(forms) / bounds_.max_peak,
                 bounds_.min_shape_ratio * logical / shape, turning_of(degree_, net, fixed) / bounds_.max_turning});
   const auto [least, most] = std::minmax_element(forms.jacobian.begin(), forms.jacobian.begin() + forms.size());
-  // The coefficients bound it; where another measure is worse all the same, nearer bounds are not asked for.
+  // The coefficients bound the scaled Jacobian. If another measure is worse even so, closer bounds are not needed.
   if (*least * worst >= bounds_.min_scaled_jacobian * *most) return std::min(worst, worst_valid);
   const double scaled = scaled_jacobian(forms, jacobian_range(forms, range_width));
   if (!(scaled > 0)) return worst_valid;
@@ -80,7 +81,7 @@ bool CurvatureTest::is_surely_fine(std::span<const Point> net, unsigned fixed) c
   const double mean = sum / forms.size(), sure = 1 - margin;
   if (!(least > 4 * forms.error && most <= sure * bounds_.max_peak * mean)) return false;
   if (!(least * sure >= bounds_.min_scaled_jacobian * most)) return false;
-  // The variance of what lies between two bounds is at most this product (Bhatia, Davis).
+  // The variance of values between two bounds is at most this product (Bhatia, Davis).
   if (!((most - mean) * (mean - least) <= sure * (bounds_.max_distortion - 1) * mean * mean)) return false;
   const double wanted = bounds_.min_shape_ratio * std::fabs(triangle_shape(net[0], net[1], net[2])) *
                         std::numbers::inv_sqrt3 * (1 + margin);

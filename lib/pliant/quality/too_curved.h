@@ -1,4 +1,4 @@
-// lib/pliant/quality/too_curved.h: when is an element too curved, and by how much (paper §5.3.4).
+// lib/pliant/quality/too_curved.h: decides whether an element is too curved, and by how much (paper §5.3.4).
 #pragma once
 #include <span>
 
@@ -6,42 +6,44 @@
 
 namespace pliant {
 
-/// When is an element too curved? Every member is a bound; the defaults are those of smoothcurves.
+/// An element is too curved if one of its measures (element_quality.h) is beyond its bound here. The defaults are those
+/// of smoothcurves.
 struct CurvatureBounds {
-  double max_distortion = 1.1;        ///< D above this
-  double max_peak = 2.0;              ///< max(C) / 2A above this
-  double min_shape_ratio = 0.5;       ///< curved tau below this times the logical triangle's |tau|
-  double max_turning = 1.5707963268;  ///< an edge turns by more (radians)
-  double min_scaled_jacobian = 0.3;   ///< the scaled Jacobian below this
+  double max_distortion = 1.1;        ///< greatest distortion D
+  double max_peak = 2.0;              ///< greatest jacobian_peak
+  double min_shape_ratio = 0.5;       ///< least curved shape, divided by |tau| of the logical triangle
+  double max_turning = 1.5707963268;  ///< greatest angle by which an edge turns (radians)
+  double min_scaled_jacobian = 0.3;   ///< least scaled Jacobian
 };
 
-/// From here on an element is not known to be valid; below, it is certified.
+/// An element whose excess is at least this is not known to be valid; an element with less is certified.
 inline constexpr double tangled_excess = 1e6;
 
-/// The test of many elements of one degree against the same bounds.
+/// Tests elements of one degree against the same bounds.
 class CurvatureTest {
  public:
   CurvatureTest(int degree, const CurvatureBounds& bounds);
 
-  /// A number above 1 says that the element is too curved, and by how much: the largest of the measures, each divided
-  /// by its bound (the distortion above 1 by its bound above 1; for the shape and the scaled Jacobian the bound by the
-  /// measure). Of an element whose curved shape is
-  /// not proved positive it is tangled_excess (1 - shape): so all elements are in one order, the tangled ones by how
-  /// far they are turned over. Infinite where control points are not finite. By how much an edge of `fixed` (bit k: the
-  /// k-th) turns does not count.
+  /// How much too curved the element is: above 1 it is too curved. The excess is the largest of the measures, each
+  /// divided by its bound; for the distortion, 1 is subtracted from both first; for the shape and the scaled Jacobian,
+  /// the bound is divided by the measure. If the curved shape is not proved positive, the excess is
+  /// tangled_excess (1 - shape), so that all elements are in one order, with tangled ones by how far they are inverted.
+  /// It is infinite if control points are not finite. The turning of edge k does not count if bit k of `fixed` is set.
   double excess(std::span<const Point> net, unsigned fixed = 0) const;
-  /// excess(net) <= 1, at a fraction of the cost where the bounds hold well.
+  /// excess(net) <= 1, at a fraction of the cost if the bounds hold by far.
   bool is_fine(std::span<const Point> net) const { return is_surely_fine(net) || excess(net) <= 1; }
-  /// Proves excess(net, fixed) <= 1 from the coefficients of det J, where these show it.
+  /// True if the coefficients of det J suffice to prove excess(net, fixed) <= 1.
   bool is_surely_fine(std::span<const Point> net, unsigned fixed = 0) const;
 
  private:
   int degree_;
   CurvatureBounds bounds_;
-  double least_cosine_;  // of the angle between two legs of an edge's polygon, for the edge to turn by no more
+  // If no angle between two legs of an edge's polygon has a cosine below this, the edge turns by no more than its
+  // bound.
+  double least_cosine_;
 };
 
-/// CurvatureTest of one element.
+/// CurvatureTest::excess of one element.
 double curvature_excess(int degree, std::span<const Point> net, const CurvatureBounds& bounds);
 
 }  // namespace pliant

@@ -10,12 +10,11 @@
 namespace pliant {
 namespace {
 
-// A field is rough where its residuals exceed this part of the variation of its best linear function.
-constexpr double most_missing = 1e3;  // of an integral, in its rounding
-constexpr double rough = 0.1;
+constexpr double most_missing = 1e3;  // an integral is kept if no more than so many times its rounding is missing
+constexpr double rough = 0.1;         // a field is rough if residuals exceed this part of its linear trend's variation
 
-/// Spreads a missing integral over values with positive weights, least change, each within its range (none: any value).
-/// Returns what could not be placed.
+/// Changes values so that the sum of weight times value grows by what is missing of an integral; the sum of the squared
+/// changes is least. Values stay within their ranges (`ranges` may be empty: no limits). Returns what is still missing.
 template <typename Range>
 double spread(double missing, std::span<const double> weights, std::span<double> values,
               std::span<const Range> ranges) {
@@ -78,9 +77,9 @@ bool FieldFit::run(const Patch& patch, Mesh& mesh, std::span<const TriangleId> n
 }
 
 FieldFit::Range FieldFit::residual_range(const Component& component, const Point& place) const {
-  // Within the ranges of residuals and values, or 0, the linear function's own value. In a field so rough that this
-  // function says nothing the values' range alone holds, also outside the old control points; there always is a place
-  // for the integral in it.
+  // A residual must be within the range of the old residuals, and the value within the range of the old values; 0 is
+  // always allowed, since the linear function itself is. In a rough field the linear function says little, and only the
+  // range of values counts: values that have the integral always exist within it.
   const double l = trend(component, place);
   const Range &v = component.values, &r = component.residuals, &linear = component.trends;
   if (std::max(-r.low, r.high) > rough * (linear.high - linear.low)) return {v.low - l, v.high - l};
@@ -130,7 +129,7 @@ void FieldFit::solve_open(int c, double integral) {
     for (int j = 0; j < m; ++j) system_[index(i * size + j)] = normal_[index(row * n + open_[index(j)])];
     for (int j = 0; j < n; ++j)
       if (held_[index(j)]) right -= normal_[index(row * n + j)] * solution_[index(j)];
-    // The equality's row is brought to the scale of the others.
+    // The row of the equality is scaled to the size of the others.
     if (conserves_)
       system_[index(i * size + m)] = system_[index(m * size + i)] =
           weights_[index(row)] * equation_scale_ / weight_scale_;
@@ -191,7 +190,7 @@ void FieldFit::collect_takers(const Component& component, bool corners) {
       taker_faces_.push_back(mesh_->face(t));
       taker_weights_.push_back(weight_in_mesh(*mesh_, p, t, k, group_->by_face));
       taker_values_.push_back(current(p, mesh_->face(t), component));
-      // Limited as the free values are: residuals must not grow either, or functions of degree 1 do not last.
+      // These values have the same limits as the unknowns: if residuals could grow, linear functions would not last.
       const Point& place = mesh_->point(p);
       if (limits_) taker_ranges_.push_back(residual_range(component, place).moved(trend(component, place)));
     }

@@ -10,23 +10,23 @@
 
 namespace pliant {
 
-/// Field components that are fitted together since they have the same unknowns: all that are continuous, or all those
-/// of one face.
+/// Field components that are fitted together since they have the same unknowns: those of all continuous fields, or
+/// those of all fields by face on one face.
 struct FieldGroup {
   struct Component {
-    int column;  ///< of the patch's rows
+    int column;  ///< the column in the patch's rows
     int field, component;
   };
   std::vector<Component> components;
   bool by_face = false;
-  FaceId face = none;  ///< where by_face
+  FaceId face = none;  ///< the face, if by_face
 
   bool contains(FaceId f) const { return !by_face || f == face; }
 };
 
-/// Fits the fields of one group as Patch::fit_fields says. What is fitted are *residuals*: values less those of the
-/// best linear function of the old elements, so that linear functions are reproduced to rounding. An object's memory is
-/// reused from fit to fit.
+/// Fits the fields of one group as Patch::fit_fields says. It fits *residuals*: values less those of the function that
+/// fits the old elements best among the linear ones, so that linear functions are reproduced to rounding. An object's
+/// memory is reused from fit to fit.
 class FieldFit {
  public:
   /// False if an integral that was asked for is not kept to rounding.
@@ -44,54 +44,55 @@ class FieldFit {
   using Weights = std::array<double, net_size(max_degree)>;
   /// What is known of one component before its residuals are fitted.
   struct Component : FieldGroup::Component {
-    Patch::Linear linear;             ///< the best linear function
-    Range values, residuals, trends;  ///< of the old control values, of their residuals, of the linear function there
-    double target;                    ///< the integral that the residuals of the unknowns should have
+    Patch::Linear linear;  ///< the best linear function
+    /// Ranges over the old control points: of the values, of their residuals, of the linear function.
+    Range values, residuals, trends;
+    double target;  ///< the integral that the residuals of the unknowns should have
   };
   struct OldPlace {
     std::size_t element;
     Barycentric xi;
   };
 
-  /// The unknowns: the free points that the group's elements contain.
+  /// Collects the unknowns: the free points in the group's new elements.
   void collect_unknowns(std::span<const PointId> free);
   /// The number of an unknown; -1 for any other point.
   int unknown_of(PointId p) const;
-  /// The best linear functions, the residuals of the old elements, their ranges and integrals.
+  /// Finds the best linear functions, the residuals of the old elements, their ranges and integrals.
   void take_residuals();
-  /// The part of one old element and one component in that.
+  /// Does so for one component in one old element.
   void take_residuals(std::size_t element, int c, const Net& net, const Weights& weights);
-  /// The least-squares equations, and what each unknown weighs in the integral.
+  /// Sets up the least-squares equations, and finds what each unknown weighs in the integral.
   void assemble();
-  /// Sets `unknown_` and `known_` for one new element, and takes what is known out of the integral.
+  /// Sets `unknown_` and `known_` for one new element, and takes what is known out of the integral's target.
   void take_known(TriangleId t, const Net& net);
   /// Adds the samples of the old residuals in one new element, less what is known there, to the equations.
   void add_samples(const Net& net);
-  /// The old element at a place, and the place in it; outside all of them the one that is nearest by its least
-  /// barycentric coordinate.
+  /// The old element that contains a place, and where in it the place lies. For a place outside all of them, the
+  /// element in which the least barycentric coordinate of the place is greatest.
   std::optional<OldPlace> find_old(const Point& place) const;
 
-  /// Least squares for component c, with the integral as an equality: residuals that leave their ranges are held at the
-  /// bound, and the others are solved for again.
+  /// Solves the least-squares problem for component c, with the integral as an equality. Residuals that leave their
+  /// ranges are held at the bound, and the others (the *open* ones) are solved for again.
   void solve_component(int c);
-  /// Solves for the residuals that are not held.
+  /// Solves for the open residuals.
   void solve_open(int c, double integral);
   /// Holds the open residuals that have left their ranges; true if there was one.
   bool hold_outside(const Component& component);
-  /// What the residual of a component may be at a place.
+  /// The range in which the residual of a component must be at a place.
   Range residual_range(const Component& component, const Point& place) const;
-  /// Is the old function linear to rounding? Then no residual is fitted.
+  /// True if the old function is linear to rounding; no residual is fitted then.
   bool is_linear(const Component& component) const;
   /// Writes the values of the unknowns to the mesh. Returns what is missing of the integral.
   double put_values(const Component& component);
-  /// Spreads what the unknowns could not keep of the integral over the values of the new elements' own edges, and what
-  /// is missing then over those of their corners.
+  /// Spreads what the unknowns could not keep of the integral over the known values on the edges of the new elements,
+  /// and then over those at their corners. Returns what is still missing.
   double spread_missing(const Component& component, double missing, double noise);
-  /// The values that may change for the integral's sake: the known ones of the edges, or of the corners.
+  /// Collects the *takers*, the known values that may change to keep the integral: on the edges, or at the corners.
   void collect_takers(const Component& component, bool corners);
 
   int unknown_count() const { return static_cast<int>(unknowns_.size()); }
-  /// The value that the mesh has now.
+  /// The value of a component in the mesh as it is now.
   double current(PointId p, FaceId f, const Component& component) const {
     const std::ptrdiff_t first = mesh_->value_index(component.field, p, f);
     if (first < 0) return 0;
@@ -114,22 +115,22 @@ class FieldFit {
   std::vector<Component> components_;
   std::vector<double> old_residuals_;  // for each old element: size_ x columns_
 
-  std::array<int, net_size(max_degree)> unknown_;  // for one new element: the numbers of its points, -1: known,
-  std::vector<double> known_;                      // and residuals where they are known, size_ x columns_
-  std::vector<double> sample_;                     // one for each component
+  std::array<int, net_size(max_degree)> unknown_;  // for one new element: the unknown at each point, -1 if it is known,
+  std::vector<double> known_;                      // and the known residuals, size_ x columns_
+  std::vector<double> sample_;                     // the residual of each component at one sample
   std::vector<double> normal_, right_;             // the equations: unknowns x unknowns, unknowns x columns_
-  std::vector<double> weights_;                    // of the unknowns in the integral
-  double equation_scale_ = 0, weight_scale_ = 0;   // sizes of `normal_` and `weights_`
+  std::vector<double> weights_;                    // what each unknown weighs in the integral
+  double equation_scale_ = 0, weight_scale_ = 0;   // how large the entries of `normal_` and `weights_` are
 
   std::vector<double> solution_;  // residuals of the unknowns, for one component
-  std::vector<char> held_;
-  std::vector<int> open_;  // those that are not held
+  std::vector<char> held_;        // for each unknown: 1 if it is held at a bound
+  std::vector<int> open_;         // the unknowns that are not held
   std::vector<double> system_, system_right_;
 
-  std::vector<PointId> takers_;  // the known values that take up what is missing of the integral: point, face,
-  std::vector<FaceId> taker_faces_;
-  std::vector<double> taker_weights_, taker_values_;  // weight in the integral, value,
-  std::vector<Range> taker_ranges_;                   // and where the value has to stay (none: anywhere)
+  std::vector<PointId> takers_;                       // for each taker: its point,
+  std::vector<FaceId> taker_faces_;                   // the face from which it is seen,
+  std::vector<double> taker_weights_, taker_values_;  // its weight in the integral, its value,
+  std::vector<Range> taker_ranges_;                   // and its range (empty: no limits)
 };
 
 }  // namespace pliant

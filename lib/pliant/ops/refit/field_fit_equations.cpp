@@ -1,5 +1,4 @@
-// lib/pliant/ops/refit/field_fit_equations.cpp: the residuals of the old elements, sampled into equations for the new
-// ones.
+// lib/pliant/ops/refit/field_fit_equations.cpp: least-squares equations from samples of the old residuals.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -13,7 +12,7 @@
 namespace pliant {
 namespace {
 
-constexpr double inside = -1e-12;  // a place with these barycentric coordinates is in the element, but for rounding
+constexpr double inside = -1e-12;  // a place is in an element, but for rounding, if no barycentric coordinate is below
 
 }  // namespace
 
@@ -72,7 +71,7 @@ void FieldFit::take_residuals(std::size_t element, int c, const Net& net, const 
 
 void FieldFit::assemble() {
   const int n = unknown_count();
-  const bool samples = n > 0 && !(conserves_ && n == 1);  // one value and one integral: nothing is left to fit
+  const bool samples = n > 0 && !(conserves_ && n == 1);  // the integral alone determines a single unknown
   normal_.assign(index(n * n), 0.0);
   right_.assign(index(n * columns_), 0.0);
   weights_.assign(index(n), 0.0);

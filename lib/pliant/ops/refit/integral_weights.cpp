@@ -1,4 +1,4 @@
-// lib/pliant/ops/refit/integral_weights.cpp: Exact integrals of a field over an element: linear in its control values.
+// lib/pliant/ops/refit/integral_weights.cpp: the weights of control values in the exact integral over an element.
 #include <algorithm>
 #include <array>
 #include <mutex>
@@ -43,7 +43,7 @@ std::size_t jacobian_of(int degree, std::span<const Point> net, Jacobian& jacobi
   return d;
 }
 
-/// integral_weights of one control point.
+/// The integral weight of control point k.
 double integral_weight(int degree, std::span<const Point> net, std::size_t k) {
   Jacobian jacobian;
   const std::size_t d = jacobian_of(degree, net, jacobian);

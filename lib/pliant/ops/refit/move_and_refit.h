@@ -1,4 +1,4 @@
-// lib/pliant/ops/refit/move_and_refit.h: the frame of every operation that moves control points only.
+// lib/pliant/ops/refit/move_and_refit.h: a move of control points, with the refit of fields and the checks around it.
 #pragma once
 #include <span>
 
@@ -8,7 +8,10 @@
 
 namespace pliant {
 
-/// Runs `move` on a patch, then refits the given points' fields; rolled back unless all elements are valid.
+/// Runs `move`, which moves the given points of the mesh, then refits fields at these points over the elements.
+///
+/// Refuses     elements that are not all valid after the move (would_invert); an integral that limited values cannot
+///             keep
 template <class Move>
 Outcome move_and_refit(Mesh& mesh, std::span<const TriangleId> elements, std::span<const PointId> points,
                        const RefitOptions& options, Move move) {

@@ -1,5 +1,4 @@
-// lib/pliant/ops/refit/refit_field.cpp: the fields of a patch in its new geometry, one group of components after the
-// other.
+// lib/pliant/ops/refit/refit_field.cpp: refits fields in a new geometry, one group of components after the other.
 #include <algorithm>
 
 #include "pliant/ops/refit/field_fit.h"

@@ -1,5 +1,4 @@
-// lib/pliant/ops/refit/refit_geometry.cpp: Places for the new control points of a patch: the displacement field of the
-// logical region, fitted.
+// lib/pliant/ops/refit/refit_geometry.cpp: places new control points: fitted displacements, else a search.
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -21,18 +20,21 @@
 namespace pliant {
 namespace {
 
-constexpr int max_sweeps = 12;  // of optimal placement over several free points
-constexpr int least_sweeps = 4;
-constexpr double least_gain = 0.002;       // of the size of the least value: a sweep with less is the last
-constexpr int pieces_in_sweep = 200;       // a place that the next point's move changes need not be the very best
-constexpr std::size_t most_starts = 6400;  // of the search, times the cube of the number of free points
-constexpr int max_steps = 12;              // of Gauss-Newton over all of them
-constexpr double wanted_ratio = 0.05;      // of det J's coefficients to their mean
-constexpr double weight_growth = 3;
-constexpr double least_share = 1e-6;  // of a logical triangle in the region
-constexpr double rounding = 0x1p-51;  // of a coordinate: shorter displacements are none
+// Sweeps place the free points one after the other.
+constexpr int max_sweeps = 12;
+constexpr int least_sweeps = 4;       // so many sweeps may gain little without being the last
+constexpr double least_gain = 0.002;  // a sweep gains little if the least value grows by less than this part of it
+constexpr int pieces_in_sweep = 200;  // bisections per placement; the next point's move changes the best place anyway
+constexpr std::size_t starts_by_cube = 6400;  // random starts times the cube of the number of free points
+// Gauss-Newton steps move all free points at once.
+constexpr int max_steps = 12;
+constexpr double wanted_ratio = 0.05;  // coefficients of det J below this part of their target get more weight,
+constexpr double weight_growth = 3;    // by this factor after each step
+constexpr double least_share = 1e-6;   // each logical triangle must have this share of the region for these steps
+// Displacements shorter than this times the largest coordinate are none.
+constexpr double rounding = 0x1p-51;
 
-/// Where control point k of a straight triangle stands.
+/// The place of control point k in the straight triangle a, b, c.
 Point straight(const NetLayout& layout, int k, const Point& a, const Point& b, const Point& c) {
   const int j = layout.exponents(k)[1], l = layout.exponents(k)[2];
   return a + (1.0 / layout.degree()) * (j * (b - a) + l * (c - a));
@@ -43,8 +45,9 @@ int index_in(std::span<const PointId> free, PointId p) {
   return found == free.end() ? -1 : static_cast<int>(found - free.begin());
 }
 
-/// Gauss-Newton over all free points at once towards an even det J, with more and more weight on coefficients that are
-/// not positive. What each element should have: its share of the region, as the logical triangles divide it.
+/// Moves all free points by Gauss-Newton steps towards a det J that is constant on each element, with more and more
+/// weight on coefficients that stay small. The area that each element should have is its share of the region, as the
+/// logical triangles divide it. True once every element is valid.
 bool even_out(Mesh& mesh, std::span<const TriangleId> now, std::span<const PointId> free) {
   thread_local std::vector<double> targets, ratios, weights;
   const std::size_t n = index(mesh.net_size()), m = index(net_size(jacobian_degree(mesh.degree())));
@@ -57,7 +60,7 @@ bool even_out(Mesh& mesh, std::span<const TriangleId> now, std::span<const Point
     targets.push_back(triangle_area(net[0], net[1], net[2]));
     logical += targets.back();
   }
-  // What a sliver's det J should be drowns in the rounding of coordinates.
+  // The det J that a sliver should have would drown in the rounding of coordinates.
   const double least = least_share * logical;
   if (!(region > 0) || !std::all_of(targets.begin(), targets.end(), [least](double x) { return x > least; }))
     return false;
@@ -74,8 +77,8 @@ bool even_out(Mesh& mesh, std::span<const TriangleId> now, std::span<const Point
   return false;
 }
 
-/// Optimal placement of the free points, one after the other, from where they are, until every element is valid or a
-/// sweep gains little.
+/// Moves the free points, one after the other, to their optimal places, until every element is valid (true) or a sweep
+/// gains little.
 bool sweep_placements(Mesh& mesh, std::span<const TriangleId> now, std::span<const PointId> free) {
   const std::size_t n = index(mesh.net_size());
   std::array<std::array<Point, net_size(max_degree)>, 8> nets;
@@ -107,11 +110,11 @@ bool sweep_placements(Mesh& mesh, std::span<const TriangleId> now, std::span<con
   return false;
 }
 
-/// Searches that found nothing, by the bits of all that decides them. A pass asks for the same flip again and again as
-/// long as nothing around it changes.
+/// Remembers searches that found nothing, by the bits of everything that decides them: a pass asks for the same flip
+/// again and again as long as nothing around it changes.
 class FruitlessSearches {
  public:
-  /// True if this search is known to find nothing.
+  /// True if this search is known to find nothing. Makes it the last one asked for.
   bool contains(const Mesh& mesh, std::span<const TriangleId> now, std::span<const PointId> free) {
     key_.assign({static_cast<double>(mesh.degree()), static_cast<double>(free.size())});
     for (const TriangleId t : now)
@@ -133,9 +136,9 @@ class FruitlessSearches {
   std::uint64_t slot_ = 0;
 };
 
-/// One free point: its best place decides. Several: their best places depend on where the search begins; it does so
-/// from where they are, then from what evens out det J, then from chance places in the patch, the same ones in every
-/// run.
+/// Searches for places of the free points that make every element valid. A single free point has one best place, which
+/// decides. With several points the result depends on where the search begins: first where they are, then with det J
+/// evened out, then at random places in the patch, which are the same in every run.
 bool search(Mesh& mesh, std::span<const TriangleId> now, std::span<const PointId> free) {
   thread_local std::vector<Point> first;
   first.clear();
@@ -150,7 +153,7 @@ bool search(Mesh& mesh, std::span<const TriangleId> now, std::span<const PointId
       if (index_in(free, p) < 0) box.extend(mesh.point(p));
   std::minstd_rand random(1);
   std::uniform_real_distribution<double> x(box.low.x, box.high.x), y(box.low.y, box.high.y);
-  const std::size_t starts = most_starts / (free.size() * free.size() * free.size());
+  const std::size_t starts = starts_by_cube / (free.size() * free.size() * free.size());
   for (std::size_t start = 0; start < starts; ++start) {
     for (const PointId p : free) mesh.set_point(p, {x(random), y(random)});
     if (sweep_placements(mesh, now, free)) return true;
@@ -158,11 +161,12 @@ bool search(Mesh& mesh, std::span<const TriangleId> now, std::span<const PointId
   return false;
 }
 
+/// The same, without the searches that are known to find nothing.
 bool untangle(Mesh& mesh, std::span<const TriangleId> now, std::span<const PointId> free) {
   // No place of a control point helps an element that lies between two smoothly joined edges.
   if (std::any_of(now.begin(), now.end(), [&mesh](TriangleId t) { return covers_smooth_corner(mesh, t); }))
     return false;
-  // Which corners may be degenerate is not part of what is remembered.
+  // What is remembered does not say which corners are cusps, where elements may be degenerate.
   if (free.size() == 1 || !mesh.boundary().cusps.empty()) return search(mesh, now, free);
   thread_local FruitlessSearches fruitless;
   if (fruitless.contains(mesh, now, free)) return false;
@@ -263,8 +267,8 @@ bool Patch::fit_geometry(Mesh& mesh, std::span<const TriangleId> now, std::span<
                          double straight_below) const {
   if (free.empty()) return all_valid(mesh, now);
   const NetLayout& layout = NetLayout::of(degree_);
-  // The old displacements, as nets over the straight triangles, and how long they are: below the rounding of the
-  // coordinates themselves they are none.
+  // The displacements of the old control points from their straight places. If the longest is below the rounding of
+  // coordinates, the elements are straight.
   thread_local std::vector<double> displacement;
   displacement.resize(elements_.size() * index(2 * n_));
   double longest = 0, reach = 0;  // squared; of the coordinates
@@ -304,7 +308,7 @@ bool Patch::fit_geometry(Mesh& mesh, std::span<const TriangleId> now, std::span<
     fit_displacement(mesh, now, free, displacement, solution);
     if (place()) return true;
   }
-  // Straight elements that are not valid are flat to rounding: to bend them would hide that.
+  // If straight elements are not valid, they are flat to rounding; bending them would hide that.
   return !are_straight && untangle(mesh, now, free);
 }
 

@@ -1,5 +1,4 @@
-// lib/pliant/ops/refit/refit_linear.cpp: The linear function that fits the fields of a patch best: what fits keep to
-// the last bits.
+// lib/pliant/ops/refit/refit_linear.cpp: the linear function that fits the old values of a patch best.
 #include <algorithm>
 #include <cmath>
 
@@ -28,8 +27,8 @@ Patch::Moments Patch::moments_of(FaceId face) const {
     xy += r.x * r.y;
     yy += r.y * r.y;
   });
-  // Gram-Schmidt, the wider coordinate first: what is left of the other is summed as it is, not as a difference of
-  // products, which in a sliver would be rounding alone.
+  // Gram-Schmidt, with the wider coordinate first. The squares of what is left of the other are summed directly: as a
+  // difference of products they would be rounding alone in a sliver.
   m.along_x = xx >= yy;
   m.ss = std::max(xx, yy);
   m.lean = m.ss > 0 ? xy / m.ss : 0;
@@ -45,7 +44,8 @@ Patch::Moments Patch::moments_of(FaceId face) const {
 Patch::Linear Patch::linear_of(int column, FaceId face) const { return linear_of(column, face, moments_of(face)); }
 
 Patch::Linear Patch::linear_of(int column, FaceId face, const Moments& m) const {
-  // About the mean the constant parts from the slopes; less a value there is, constants come back without rounding.
+  // About the mean, the constant can be found apart from the slopes. Values are taken relative to the first one, so
+  // that constants come back without rounding.
   double base = 0, sum = 0, along = 0, across = 0;
   bool first = true;
   for (const Element& e : elements_) {

@@ -1,4 +1,4 @@
-// lib/pliant/ops/refit/region_integrals.cpp: integrals of the fields over elements whose region is about to change.
+// lib/pliant/ops/refit/region_integrals.cpp: sums integrals over elements, compares them, and restores them.
 #include "pliant/ops/refit/region_integrals.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// lib/pliant/ops/refit/region_integrals.h: integrals of the fields over elements whose region is about to change.
+// lib/pliant/ops/refit/region_integrals.h: integrals of fields over some elements, taken before and after a change.
 #pragma once
 #include <span>
 #include <vector>
@@ -7,22 +7,24 @@
 
 namespace pliant {
 
-/// The integral of every component of every field over some elements; of a field by face, one for each face.
-/// Memory is reused from call to call.
+/// The integral of every component of every field over some elements: one over all of them, and one over those of each
+/// face. Memory is reused from call to call.
 class RegionIntegrals {
  public:
   void take(const Mesh& mesh, std::span<const TriangleId> elements);
-  /// Largest difference of two, of the same faces, relative to the integrals of the fields' absolute control values.
+  /// The largest change of an integral from these to `now`, relative to the integral of the absolute control values.
+  /// Requires    integrals over elements of the same faces
   double change_to(const RegionIntegrals& now) const;
-  /// Changes the control values of the elements, least change, so that the integrals over the mesh become what they
-  /// were: more by what is missing in these elements. `now`: taken of the same elements.
+  /// Changes the control values of the elements, as little as possible, so that the integrals over the whole mesh
+  /// become what they were when these were taken; `now` are the integrals over the elements as they are.
   void restore(Mesh& mesh, std::span<const TriangleId> elements, const RegionIntegrals& now) const;
 
  private:
   std::size_t place(int column, FaceId f, bool by_face) const;
   double sum_of(int column, FaceId f, bool by_face) const;
   std::vector<FaceId> faces_;
-  std::vector<double> sums_, sizes_;  // of each column, of all faces and then of each
+  // For each column: over all elements, then over those of each face. The integral, and the sum of its absolute terms.
+  std::vector<double> sums_, sizes_;
 };
 
 }  // namespace pliant

@@ -1,4 +1,4 @@
-// lib/pliant/ops/removal/curve_passage.cpp: the curve through a vertex, and what the removal of its knot touches.
+// lib/pliant/ops/removal/curve_passage.cpp: walks from a vertex along its curve, and around the vertex.
 #include "pliant/ops/removal/curve_passage.h"
 
 #include <algorithm>
@@ -6,7 +6,8 @@
 namespace pliant {
 namespace {
 
-/// All half-edges at v that lie on curves, each edge once: outgoing, or incoming where only that exists.
+/// Lists one half-edge for each edge of the star that lies on a curve: the one that leaves the vertex, or, at the last
+/// edge of an open star, the one that arrives.
 void constrained_at(const Mesh& mesh, const Star& star, std::vector<HalfEdgeId>& edges) {
   edges.clear();
   for (const HalfEdgeId h : star.outgoing)
@@ -14,7 +15,7 @@ void constrained_at(const Mesh& mesh, const Star& star, std::vector<HalfEdgeId>&
   if (!star.is_closed && !star.outgoing.empty()) edges.push_back(previous(star.outgoing.back()));
 }
 
-/// A half-edge of the edge that follows (or precedes) along the same curve, or none at the curve's end.
+/// A half-edge of the next edge along the same curve (the one before, unless `forward`), or none at the curve's end.
 HalfEdgeId step_along(const Mesh& mesh, HalfEdgeId h, bool forward) {
   const ConstraintId c = mesh.constraint(h);
   const PointId first = mesh.constraint_first(c);

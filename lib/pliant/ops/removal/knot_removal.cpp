@@ -1,4 +1,4 @@
-// lib/pliant/ops/removal/knot_removal.cpp: what removing a knot does to its curve, tried out and foreseen.
+// lib/pliant/ops/removal/knot_removal.cpp: removes a knot from a curve as a trial, and checks the curve's bounds.
 #include "pliant/ops/removal/knot_removal.h"
 
 #include <algorithm>
@@ -43,7 +43,8 @@ KnotRemoval try_removal(Mesh& mesh, PointId v, const Star& star, const CurveTole
   if (spline.closed() ? spline.span_count(4) <= 3 : knot <= spline.first_parameter())
     return refused(Outcome::not_removable);
   plan.start = is_changed ? spline.span_before(knot) : mesh.constraint_start(kept);
-  // The first of a knot's copies costs no more than all of them, and it tells without a change.
+  // A knot may have several copies. The error of removing one is no larger than that of all, and is known without a
+  // change of the curve.
   const std::optional<double> least = spline.removal_error(knot);
   if (!least) return refused(Outcome::not_removable);
   plan.error = *least;
@@ -76,7 +77,7 @@ CurveRemoval foresee_curve_removal(Mesh& mesh, PointId v, const CurveTolerance& 
   ForeseenCurves::Changed* changed = foreseen.find(c);
   if (changed == nullptr) changed = &foreseen.curves.emplace_back(ForeseenCurves::Changed{c, 0});
 
-  // Where the vertices near by will be. Those that have gone before have no knot any more.
+  // Note where the vertices nearby would be. Vertices of removals foreseen before have no knot any more.
   const BSpline& spline = mesh.spline(c);
   thread_local Footprint footprint;
   find_footprint(mesh, plan.passage, footprint, changed->removals++);
@@ -95,7 +96,8 @@ CurveRemoval foresee_curve_removal(Mesh& mesh, PointId v, const CurveTolerance& 
     } else if (bezier[0] != mesh.point(w)) {
       foreseen.moved.emplace_back(w, bezier[0]);
       find_star(mesh, w, star);
-      if (passage_at(mesh, w, star).curve == none) return {Outcome::corner, plan.error};  // something holds on to it
+      // A vertex that belongs to something other than this curve cannot move.
+      if (passage_at(mesh, w, star).curve == none) return {Outcome::corner, plan.error};
     }
   }
   return {Outcome::done, plan.error};

@@ -47,7 +47,7 @@ bool recover_merged(const Mesh& mesh, PointId v, std::span<const PointId> fan, P
                     std::span<const Point> long_edge) {
   const int p = mesh.degree();
   const HalfEdgeId h0 = find_half_edge(mesh, v, fan[0]), h1 = find_half_edge(mesh, v, fan[1]);
-  // Where v divides the long edge: the ratio of the tangents on either side of it.
+  // Where v divides the long edge: as the tangents on either side of v are long.
   const HalfEdgeId back = previous(h1);  // fan[2] to v
   const double before = distance(mesh.point(mesh.edge_point(h0, 1)), mesh.point(v));
   const double after = distance(mesh.point(mesh.edge_point(back, p - 1)), mesh.point(v));
@@ -61,7 +61,7 @@ bool recover_merged(const Mesh& mesh, PointId v, std::span<const PointId> fan, P
   parent.take_edge(1, 1, edge_of(next(h1)));
   if (!parent.find_edge(2, 1 - s, {1, edge_of(back)}, {0, edge_of(h0)})) return false;
   if (!long_edge.empty()) parent.place_edge(2, long_edge);
-  // The pieces in their own corner order: v at local corner edge_of(h).
+  // The corners of a piece in its own order: v is local corner edge_of(h).
   const auto corners = [&](HalfEdgeId h, const Barycentric& origin, const Barycentric& target,
                            const Barycentric& apex) {
     std::array<Barycentric, 3> c;

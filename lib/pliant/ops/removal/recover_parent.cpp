@@ -1,4 +1,4 @@
-// lib/pliant/ops/removal/recover_parent.cpp: the element of which others are a de Casteljau subdivision.
+// lib/pliant/ops/removal/recover_parent.cpp: inverts de Casteljau's subdivision, by least squares with refinement.
 #include "pliant/ops/removal/recover_parent.h"
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 namespace pliant {
 namespace {
 
-constexpr int unit_block = 16;  // nets of this width are divided without allocation
+constexpr int unit_block = 16;  // so many unit nets are divided together; nets of this width need no allocation
 
 LeastSquares& scratch() {
   thread_local LeastSquares squares;
@@ -84,7 +84,7 @@ bool ParentRecovery::find_edge(int e, double s, std::array<int, 2> first, std::a
   const auto piece_row = [&](const std::array<int, 2>& edge, int k) {
     return pieces_.data() + index((edge[0] * n_ + layout.edge_index(edge[1], k)) * width_);
   };
-  // Polygon of the edge, its ends known; then the two halves that it should have.
+  // The polygon of the edge, whose ends are known; behind it the two halves into which it is divided.
   image_.assign(3 * half, 0.0);
   std::copy_n(piece_row(first, 0), width, image_.begin());
   std::copy_n(piece_row(second, p), width, image_.begin() + static_cast<std::ptrdiff_t>(half - width));
@@ -147,7 +147,7 @@ void ParentRecovery::place_edge(int e, std::span<const Point> points) {
   }
 }
 
-/// residual_ = the pieces less the sub-nets of the parent; true if all of it is within the tolerance.
+/// Sets residual_ to the pieces less the sub-nets of the parent; true if all of it is within the tolerances.
 bool ParentRecovery::subtract_pieces(std::span<const std::array<Barycentric, 3>> corners) {
   const std::size_t each = index(n_ * width_);
   residual_.resize(pieces_.size());
@@ -167,7 +167,7 @@ bool ParentRecovery::subtract_pieces(std::span<const std::array<Barycentric, 3>>
 bool ParentRecovery::find_inner(std::span<const std::array<Barycentric, 3>> corners) {
   const int first = 3 * degree_, unknowns = n_ - first;
   if (unknowns == 0) return subtract_pieces(corners);
-  // The subdivision as a matrix: the sub-nets of the unit nets of the inner points.
+  // The subdivision as a matrix, whose columns are the sub-nets of unit nets: one inner point is 1, the rest are 0.
   const int rows = n_ * static_cast<int>(corners.size());
   LeastSquares& squares = scratch();
   const std::span<double> matrix = squares.start(rows, unknowns);

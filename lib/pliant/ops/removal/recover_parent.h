@@ -1,4 +1,4 @@
-// lib/pliant/ops/removal/recover_parent.h: the element of which others are a de Casteljau subdivision.
+// lib/pliant/ops/removal/recover_parent.h: finds the element (the parent) of which others are a subdivision.
 #pragma once
 #include <array>
 #include <span>
@@ -9,24 +9,28 @@
 
 namespace pliant {
 
-inline constexpr double subdivision_tolerance = 1e-12;  ///< of the size: residual of what counts as a subdivision
+/// Elements count as a subdivision if residuals of a field are below this times its largest value.
+inline constexpr double subdivision_tolerance = 1e-12;
 
-/// The parent of some elements: its edges are told or found first, then its inner points. What is found has the pieces
-/// as its sub-nets in the least-squares sense. Fields are found less their best linear function, so that functions of
-/// degree <= 1 come back as they were, whatever the division's condition. Reused from call to call without allocation.
+/// Finds the parent of some elements, the *pieces*, which are its sub-nets if they come from a de Casteljau
+/// subdivision. First its edges are given or found, then its inner points, by least squares. The best linear function
+/// is taken out of each field before, so that functions of degree <= 1 come back as they were, however badly
+/// conditioned the subdivision is. Reused from call to call without allocation.
 class ParentRecovery {
  public:
-  /// Reads the pieces; nothing of the parent is known yet.
+  /// Reads the pieces; the parent is not known yet.
   void start(const Mesh& mesh, std::span<const TriangleId> pieces);
   /// Edge e of the parent is edge `from` of a piece.
   void take_edge(int e, int piece, int from);
-  /// Edge e of the parent, divided at s, is edge `first` of a piece and then edge `second` of another one.
+  /// Finds edge e of the parent, which is divided at s into edge `first` and then edge `second`; both are given as
+  /// (piece, its edge). False if they are not the halves of one edge, to the tolerances of find_inner.
   bool find_edge(int e, double s, std::array<int, 2> first, std::array<int, 2> second);
-  /// Puts the control points inside edge e elsewhere; fields follow as their best linear functions do.
+  /// Moves the control points inside edge e to `points`; fields change there as their best linear functions do.
   void place_edge(int e, std::span<const Point> points);
-  /// The inner points. `corners`: where each piece's corners lie in the parent. False where the pieces of what was
-  /// found differ from those that are by more than the mesh's tolerance, or by more of a field than its largest value
-  /// times `subdivision_tolerance` and what its slope makes of that length.
+  /// Finds the inner points; corners[i] says where the corners of piece i lie in the parent. False if the sub-nets of
+  /// the parent found differ from the pieces: points by more than the mesh's tolerance, or a field by more than
+  /// `subdivision_tolerance` times its largest value plus its slope times the mesh's tolerance.
+  ///
   /// Complexity  O(p^8) for p > 2, else O(1)
   bool find_inner(std::span<const std::array<Barycentric, 3>> corners);
 
@@ -39,8 +43,9 @@ class ParentRecovery {
   Point point(int k) const { return {row(k)[0], row(k)[1]}; }
 
  private:
-  /// The same rows about the origin, without the linear part of the fields; and back.
+  /// *Reduces* rows: positions become relative to origin_, and fields lose their best linear function.
   void reduce(std::span<double> rows) const;
+  /// Undoes that for one row.
   void complete(std::span<double> row) const;
   double* reduced(int k) { return reduced_.data() + static_cast<std::size_t>(k * width_); }
   bool subtract_pieces(std::span<const std::array<Barycentric, 3>> corners);
@@ -48,11 +53,11 @@ class ParentRecovery {
   int degree_ = 0, n_ = 0, width_ = 0;
   Point origin_;
   Patch patch_;
-  std::vector<Patch::Linear> linear_;     // of each field's columns
-  std::vector<double> largest_;           // of each field's column
-  std::vector<double> tolerances_;        // of each column's residual
-  std::vector<double> pieces_;            // reduced
-  std::vector<double> parent_, reduced_;  // rows of the parent
+  std::vector<Patch::Linear> linear_;     // the best linear function of each field column
+  std::vector<double> largest_;           // the largest absolute value in each column
+  std::vector<double> tolerances_;        // the largest residual allowed in each column
+  std::vector<double> pieces_;            // the pieces' rows, reduced
+  std::vector<double> parent_, reduced_;  // the parent's rows, as they are and reduced
   std::vector<double> residual_, image_, right_, units_;
 };
 

@@ -1,4 +1,4 @@
-// lib/pliant/ops/removal/removal_stretch.cpp: a curve that lost a knot, made to sweep the area that it did.
+// lib/pliant/ops/removal/removal_stretch.cpp: Newton's steps along the gradient of the swept area.
 #include "pliant/ops/removal/removal_stretch.h"
 
 #include <algorithm>
@@ -9,7 +9,8 @@
 namespace pliant {
 namespace {
 
-/// Calls `visit` with k and the index of control point first + k, k = 0 .. count - 1, those left out that do not exist.
+/// Calls `visit` with k and the index of control point first + k, for k = 0 .. count - 1. On a closed curve indices go
+/// round; on an open one points that do not exist are left out.
 template <class Visit>
 void visit_points(const BSpline& spline, int first, int count, const Visit& visit) {
   const int size = static_cast<int>(spline.points().size());
@@ -22,7 +23,7 @@ void visit_points(const BSpline& spline, int first, int count, const Visit& visi
   }
 }
 
-/// The first control point, before that of the knot `interval`, which a removal and what restores the area may move.
+/// So many control points before and behind number interval(knot), a removal and what restores the area may move.
 int reach(const BSpline& spline) { return 2 * spline.degree() + 1; }
 
 }  // namespace
@@ -31,7 +32,7 @@ RemovalStretch::RemovalStretch(const Mesh& mesh, CurveId curve, double knot)
     : curve_(curve), knot_(knot), multiplicity_(mesh.spline(curve).multiplicity(knot)) {
   const BSpline& spline = mesh.spline(curve);
   origin_ = spline.evaluate(knot);
-  const int spans = std::max(spline.degree(), 2);  // on either side
+  const int spans = std::max(spline.degree(), 2);  // so many on either side may change
   const auto is_new = [&](double t) {
     return t != knot && std::find(starts_.begin(), starts_.end(), t) == starts_.end();
   };
@@ -64,8 +65,8 @@ double RemovalStretch::area(const BSpline& spline) const {
 }
 
 std::vector<int> RemovalStretch::points_around(const BSpline& spline, double place) const {
-  // The points whose inner knots straddle the removed one (p = 1: whose support does): none of them reaches beyond the
-  // footprint. An open curve's ends stay.
+  // The points whose support contains the removed knot even without its first and last span (p = 1: with them). What
+  // they change does not reach beyond the footprint. The ends of an open curve stay.
   const int last = static_cast<int>(spline.points().size()) - 1, p = spline.degree(), inset = p > 1 ? 1 : 0;
   const int first = spline.interval(place) - p;
   std::vector<int> near;
@@ -79,10 +80,10 @@ std::vector<int> RemovalStretch::points_around(const BSpline& spline, double pla
 
 double RemovalStretch::restore_area(Mesh& mesh) const {
   const BSpline& spline = mesh.spline(curve_);
-  // Without its first break a closed curve begins at the next one.
+  // A closed curve that lost its first break begins at the next one.
   const double place = knot_ < spline.first_parameter() ? knot_ + spline.period() : knot_;
   const std::vector<int> near = points_around(spline, place);
-  // The area is quadratic in the points, so central differences are its gradient, whatever the step.
+  // The area is quadratic in the points, so central differences give its gradient exactly, whatever the step.
   Box box;
   visit_points(spline, spline.interval(place) - reach(spline), 2 * reach(spline) + 1,
                [&](int, int i) { box.extend(spline.points()[index(i)]); });
@@ -103,8 +104,8 @@ double RemovalStretch::restore_area(Mesh& mesh) const {
     squares += squared_length(gradient.back());
   }
   double last = HUGE_VAL;
-  for (int round = 0; round < 60 && squares > 0;
-       ++round) {  // each leaves a small share of the rest, then only rounding
+  // Each round leaves a small share of what was missing, until only rounding is left.
+  for (int round = 0; round < 60 && squares > 0; ++round) {
     const double missing = area_ - area(spline);
     if (!(std::abs(missing) < last)) break;
     last = std::abs(missing);

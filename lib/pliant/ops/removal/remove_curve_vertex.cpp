@@ -1,5 +1,4 @@
-// lib/pliant/ops/removal/remove_curve_vertex.cpp: knot removal with its whole footprint: curve, elements on both sides,
-// fields.
+// lib/pliant/ops/removal/remove_curve_vertex.cpp: removes a vertex from a curve, and makes elements and fields follow.
 #include <algorithm>
 #include <array>
 #include <optional>
@@ -21,8 +20,8 @@ bool contains(const std::vector<PointId>& list, PointId p) {
   return std::find(list.begin(), list.end(), p) != list.end();
 }
 
-/// The removal of one vertex, in steps that use what the steps before have found. An object's memory is reused from
-/// removal to removal.
+/// The removal of one vertex, in steps that use what earlier steps found. An object's memory is reused from removal to
+/// removal.
 class CurveVertexRemoval {
  public:
   CurveRemoval run(Mesh& mesh, PointId v, const CurveTolerance& tolerance, const RefitOptions& options);
@@ -30,31 +29,32 @@ class CurveVertexRemoval {
  private:
   using Polygon = std::array<Point, max_degree + 1>;
 
-  /// All steps that change the mesh, in a transaction of the caller, who rolls it back where one refuses.
+  /// Takes all steps that change the mesh. Requires an open transaction, which the caller rolls back if a step refuses.
   Outcome change(const CurveTolerance& tolerance);
-  /// Flips ears until each side of the curve has two triangles at the vertex. False where that is not possible.
+  /// Flips ears until each side of the curve has two triangles at the vertex. False if no ear can be flipped.
   bool reduce_sides();
   /// Removes the knot from the curve, and notes where the curve's control points will be in the mesh.
   void remove_knot(const CurveTolerance& tolerance);
   Polygon extract(double start) const;
   void note_shift(PointId vertex, const Point& place);
-  /// Finds the elements that will change. False where something other than the curve holds on to a vertex that moves.
+  /// Finds the elements that will change. False if a vertex that moves belongs to something other than the curve.
   bool collect_elements();
   /// Copies what these elements hold.
   void capture_elements();
-  /// Finds the parents of the two elements on each side, if these are subdivisions and the curve stays where it is.
+  /// Finds the parents of the two elements on each side, if the curve stays where it is and they are subdivisions.
   void recover_parents();
   void merge_topology();
-  /// Lists the points that may move, and where those off the curve will be: each keeps its displacement from its
-  /// element's straight triangle, whose corners move.
+  /// Lists the points that may move, and the new places of those off the curve: the corners of their element move, and
+  /// each keeps its displacement from the straight triangle.
   void plan_moves();
   void move_points();
   /// Places the points inside the merged elements. True if all elements are valid then.
   bool place_inner_points();
   bool refit_fields();
-  /// Changes the values of one component at points that have moved as the best linear function changes there.
+  /// Changes one component at the points that moved by what its best linear function changes between the two places.
   void follow_moves(int field, int component, int column);
-  /// Integrals over a region that has changed: restored, or their change reported.
+  /// Restores the integrals over the region, which has changed, or reports their change: as options_.region_change
+  /// says.
   void settle_integrals(CurveRemoval& removal);
 
   Mesh* mesh_ = nullptr;
@@ -62,33 +62,33 @@ class CurveVertexRemoval {
   RefitOptions options_;
 
   KnotRemoval plan_;  // what the removal does to the curve
-  /// The edge before the knot, which becomes the long one, and the edge after it.
+  /// The edge before the knot, which becomes the merged ("long") edge, and the edge after the knot.
   ConstraintId kept_ = none, dropped_ = none;
   double knot_ = 0;
-  bool region_kept_ = false;  // the curve stays where it is, and so do the integrals over the merging elements
+  bool region_kept_ = false;  // the curve stays where it is, so integrals over the merging elements can be kept
   bool restored_ = false;     // the merged elements are the parents that were found
 
   Star star_, other_star_;
   std::vector<Fan> fans_;  // one for each side
-  Passage passage_;        // after the ears
+  Passage passage_;        // the passage once the ears are gone
   Footprint footprint_;
   Polygon merged_;  // control points of the long edge
   /// New places of the points inside the footprint's edges.
   std::vector<std::pair<PointId, Point>> curve_places_;
   std::vector<TriangleId> before_, after_;  // all elements that change, and those of them that are left
-  Patch patch_, merging_;                   // all elements, and those at the vertex
+  Patch patch_, merging_;                   // copies of all elements that change, and of those at the vertex
   RegionIntegrals integrals_before_, integrals_after_;
   std::array<ParentRecovery, 2> parents_;
   EdgePoints edge_;  // the long edge, in the curve's direction
   std::vector<HalfEdgeId> starts_;
   std::vector<TriangleId> merged_triangles_;
   std::vector<PointId> on_curve_, shifted_, inner_, free_;
-  /// New places of the points that hang on moved vertices.
+  /// New places of the points off the curve whose elements have moved vertices.
   std::vector<std::pair<PointId, Point>> moves_;
   /// Points whose values may change, each with a face, and where they were.
   std::vector<std::pair<PointId, FaceId>> refitted_;
   std::vector<Point> old_places_;
-  /// Best linear functions of one component, on all faces together (none) or on each.
+  /// Best linear functions of one component: one for all faces together (face none), or one for each face.
   std::vector<std::pair<FaceId, Patch::Linear>> fits_;
 };
 
@@ -98,7 +98,7 @@ CurveRemoval CurveVertexRemoval::run(Mesh& mesh, PointId v, const CurveTolerance
   vertex_ = v;
   options_ = options;
   find_star(mesh, v, star_);
-  // A trial first: the operations on ears ask for the curve as it is.
+  // First as a trial, which is rolled back: the flips of ears need the curve as it is.
   Transaction trial(mesh);
   plan_ = try_removal(mesh, v, star_, tolerance);
   if (plan_.outcome != Outcome::done) return {plan_.outcome, plan_.error};
@@ -204,8 +204,8 @@ void CurveVertexRemoval::capture_elements() {
 }
 
 void CurveVertexRemoval::recover_parents() {
-  // The parents' rows come back with the curve's own control points. Each side finds the long edge for itself: fields
-  // by face differ there, and what is shared comes out the same.
+  // The parents' long edges get the curve's own control points. Each side finds the long edge for itself, since fields
+  // by face differ there; what both sides share comes out the same.
   const int p = mesh_->degree();
   restored_ = region_kept_;
   for (std::size_t k = 0; k < fans_.size() && restored_; ++k) {

@@ -1,4 +1,4 @@
-// lib/pliant/quality/element/condition.cpp: a parser of three tokens.
+// lib/pliant/quality/element/condition.cpp: parses a key, an operator and a number, and compares.
 #include "pliant/quality/element/condition.h"
 
 #include <array>
@@ -12,6 +12,7 @@
 namespace pliant {
 namespace {
 
+/// A value of the report that is not a metric.
 struct Scalar {
   std::string_view name;
   double (*value)(const QualityReport&);

@@ -8,18 +8,19 @@
 
 namespace pliant {
 
-/// KEY OP NUMBER. KEY: a scalar of the report (`faults` is their number), or min(metric), max(metric), mean(metric).
-/// OP: < <= > >= == !=.
+/// A condition KEY OP NUMBER.
+///   KEY  a number in the report (`faults` is the number of faults), or min(METRIC), max(METRIC), mean(METRIC)
+///   OP   one of < <= > >= == !=
 class Condition {
  public:
-  /// Throws      std::invalid_argument, with what was expected and what names there are
+  /// Throws      std::invalid_argument, which says what was expected and which names there are
   explicit Condition(const std::string& text);
 
   const std::string& text() const { return text_; }
   double bound() const { return bound_; }
-  /// The value of the key; empty where the report has none (tangent_jump without such knots, metrics of no element).
+  /// The value of the key; empty if the report has none (a tangent_jump without knots, a metric without elements).
   std::optional<double> value(const QualityReport& report) const;
-  /// A value that does not exist fulfils no condition.
+  /// True if the value exists and fulfils the condition.
   bool holds(const QualityReport& report) const;
 
  private:

@@ -1,4 +1,4 @@
-// lib/pliant/quality/element/curved_shape.cpp: the minimum of a ratio of two polynomials, bracketed.
+// lib/pliant/quality/element/curved_shape.cpp: the least tau in an element, the minimum of a ratio of two polynomials.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -10,18 +10,21 @@
 #include "pliant/quality/element/element_forms.h"
 #include "pliant/quality/element/element_quality.h"
 
-// tau = sqrt(3) N / S with N = det J. On a piece of the element tau >= t wherever every Bernstein coefficient of
-// N - t S is nonnegative, and the values at the corners of pieces bound the minimum from above. Pieces are bisected,
-// depth first, until the two agree.
+// tau = sqrt(3) N / S with N = det J and S = `squares` (element_forms.h). If every Bernstein coefficient of
+// sqrt(3) N - t S on a piece of the element is nonnegative, tau >= t there; that gives a lower bound for the piece. The
+// values of tau at the corners of pieces are upper bounds of the minimum. Pieces are bisected, depth first, until the
+// lower and the upper bound agree.
 namespace pliant {
 namespace {
 
 constexpr int greatest_depth = 60;
 constexpr int most_pieces = 4096;
 
-/// Place in rows of constant k, by ascending j: a bisection of the edge 12 is then one de Casteljau scheme a row.
+/// Where the coefficients with exponent k start, if they stand in rows of constant k and in a row by ascending j. In
+/// this order, a bisection of edge 12 is one de Casteljau scheme for each row.
 constexpr int row_start(int degree, int k) { return k * (degree + 1) - k * (k - 1) / 2; }
 
+/// For each coefficient in the order of NetLayout its position in that order.
 const std::vector<int>& row_order(int degree) {
   static const std::vector<std::vector<int>> all = [] {
     std::vector<std::vector<int>> orders;
@@ -37,8 +40,8 @@ const std::vector<int>& row_order(int degree) {
   return all[index(degree)];
 }
 
-/// Newest-vertex bisection: with m the middle of the edge 12, `left` is on (3, 1, m), `right` on (2, 3, m), and the
-/// next edge 12 of either is the one opposite m.
+/// Newest-vertex bisection of a net in rows. With m the middle of edge 12, `left` becomes the net on the triangle
+/// (3, 1, m) and `right` that on (2, 3, m); edge 12 of either, which is bisected next, is opposite to m.
 void bisect(int degree, const double* net, double* left, double* right) {
   double row[2 * max_degree];
   for (int k = 0; k <= degree; ++k) {
@@ -52,6 +55,7 @@ void bisect(int degree, const double* net, double* left, double* right) {
   }
 }
 
+/// Finds a lower bound of the least tau by bisection. The nets of N and S are given in rows.
 class ShapeSearch {
  public:
   explicit ShapeSearch(const ElementForms& forms)
@@ -64,7 +68,7 @@ class ShapeSearch {
     for (const int corner : {0, degree_, static_cast<int>(size_) - 1}) see(jacobian[corner], squares[corner], error_);
     const double whole = lower_bound(jacobian, squares, 0);
     if (is_enough(whole)) return whole;
-    // A stack of pieces, two rows each; a piece leaves at most one sibling behind at every depth.
+    // A stack of pieces, each with the nets of N and S. At every depth at most one sibling waits.
     thread_local std::vector<double> stack;
     stack.resize(2 * size_ * (greatest_depth + 3));
     int depths[greatest_depth + 3];
@@ -85,7 +89,7 @@ class ShapeSearch {
       for (const std::size_t form : {std::size_t{0}, size_}) bisect(degree_, parent + form, left + form, right + form);
       see(left[size_ - 1], left[2 * size_ - 1], error_at(depth));
       double first = lower_bound(left, left + size_, depth), second = lower_bound(right, right + size_, depth);
-      if (first < second) {  // the poorer one first: it lowers the upper bound soonest
+      if (first < second) {  // the poorer piece comes first, since it lowers the upper bound soonest
         std::swap_ranges(left, left + 2 * size_, right);
         std::swap(first, second);
       }
@@ -101,16 +105,18 @@ class ShapeSearch {
 
  private:
   double* piece(std::vector<double>& stack, int n) const { return stack.data() + 2 * size_ * index(n); }
-  /// A bisection rounds each coefficient at most `degree` times.
+  /// The error bound of a coefficient at this depth: a bisection rounds each coefficient at most `degree` times.
   double error_at(int depth) const { return error_ + depth * degree_ * 0x1p-53 * greatest_; }
+  /// True if a lower bound is close enough to the upper bound.
   bool is_enough(double bound) const {
     return bound >= upper_ - std::max(shape_relative_width * std::fabs(upper_), shape_absolute_width);
   }
+  /// Takes a value of tau, with N = n and S = s, as an upper bound of the least tau.
   void see(double n, double s, double error) {
     if (s > error) upper_ = std::min(upper_, std::numbers::sqrt3 * n / s);
   }
-  /// The greatest t with n - t s >= 0 for all coefficients, n and s being uncertain by the error. -1 where some s may
-  /// not be positive: tau is never less.
+  /// The greatest t with sqrt(3) n - t s >= 0 for all coefficients, where n and s are uncertain by the error. If some s
+  /// may not be positive, -1: tau is never less.
   double lower_bound(const double* n, const double* s, int depth) const {
     const double error = error_at(depth);
     double least = 1;
@@ -125,7 +131,7 @@ class ShapeSearch {
   int degree_;
   std::size_t size_;
   double error_, greatest_ = 0;
-  double upper_ = 1;
+  double upper_ = 1;  // upper bound of the least tau
 };
 
 }  // namespace

@@ -1,4 +1,4 @@
-// lib/pliant/quality/element/element_figures.h: the measures of single elements, column by column.
+// lib/pliant/quality/element/element_figures.h: a table of measures of single elements, column by column.
 #pragma once
 #include <string>
 #include <vector>
@@ -8,7 +8,7 @@
 
 namespace pliant {
 
-/// One measure of every element that was chosen. NaN where it does not exist or overflows.
+/// One measure of every chosen element; NaN if it does not exist or overflows.
 struct ElementColumn {
   std::string name;
   bool worst_is_least = true;  ///< false: the largest values are the worst

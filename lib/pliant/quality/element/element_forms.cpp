@@ -1,4 +1,4 @@
-// lib/pliant/quality/element/element_forms.cpp: sums of products, from a table.
+// lib/pliant/quality/element/element_forms.cpp: products of polynomials in Bernstein form, by a table of their terms.
 #include "pliant/quality/element/element_forms.h"
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 namespace pliant {
 namespace {
 
-/// One product of the sum: the coefficient `target` of a product of polynomials of degree p - 1 gets weight a_i b_j.
+/// One term of a product of two polynomials of degree p - 1: its coefficient `target` gets weight * a_i * b_j.
 struct Term {
   int i, j, target;
   double weight;
@@ -22,7 +22,7 @@ struct Term {
 struct FormTable {
   std::vector<std::array<int, 3>> triangles;
   std::vector<Term> terms;
-  int most_terms = 0;  // of one target
+  int most_terms = 0;  // the largest number of terms that one coefficient gets
 };
 
 FormTable build_table(int degree) {
@@ -71,7 +71,7 @@ double power_of_two(double x) {
   return bits == 0 ? 0x1p-1022 : std::bit_cast<double>(bits);
 }
 
-/// The table's sums for p = 2, written out: a at the corners, means of a with its neighbour on the edges.
+/// The sums of the table for p = 2, written out: first the coefficients at the corners, then those of the edges.
 void quadratic_forms(const Vector* along_2, const Vector* along_3, ElementForms& forms) {
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t j = (i + 1) % 3;
@@ -112,8 +112,8 @@ void element_forms(int degree, std::span<const Point> net, ElementForms& forms) 
     along_2[m] *= scale;
     along_3[m] *= scale;
   }
-  // Components are below 2, so each product below 16; a coefficient is a sum of `most_terms` of them whose weights sum
-  // to p^2, each carrying some ten roundings of 2^-53.
+  // Components are below 2, so each product is below 16. A coefficient is a sum of at most `most_terms` products whose
+  // weights sum to p^2; each product carries about ten roundings of 2^-53.
   forms.error = (table.most_terms + 10) * 0x1p-53 * 16 * degree * degree;
   if (degree == 2) return quadratic_forms(along_2.data(), along_3.data(), forms);
   std::fill_n(forms.jacobian.begin(), forms.size(), 0.0);

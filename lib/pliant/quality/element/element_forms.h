@@ -13,52 +13,55 @@ namespace pliant {
 
 inline constexpr int max_form_size = net_size(2 * (max_degree - 1));
 
-/// Bernstein coefficients, of degree 2(p - 1) and in the order of NetLayout, of the two forms that tau is the ratio of,
-/// for the element divided by a power of two. With a and b the derivatives along (xi2, xi3):
-/// det J = a x b, and squares = |a|^2 - a.b + |b|^2, half the sum of the squared sides of the triangle a, b, b - a.
-/// tau = sqrt(3) det J / squares. The power of two keeps products of elements of any size from over- and underflowing.
+/// The two polynomials whose ratio is tau: their Bernstein coefficients, of degree 2 (p - 1) and in the order of
+/// NetLayout, for the element divided by a power of two. That power keeps products from over- and underflowing for
+/// elements of any size. With a and b the derivatives along xi2 and xi3:
+///   det J = a x b
+///   squares = |a|^2 - a.b + |b|^2, half the sum of the squared sides of the triangle a, b, b - a
+///   tau = sqrt(3) det J / squares
 struct ElementForms {
-  int degree = 0;         ///< of the forms
+  int degree = 0;         ///< degree of the two polynomials, 2 (p - 1)
   double unit = 1;        ///< lengths are divided by this power of two
   bool is_point = false;  ///< all control points coincide
   bool is_finite = true;  ///< false: differences of control points overflow, and nothing else here is set
-  double error = 0;       ///< floating-point error bound of each coefficient of either form
+  double error = 0;       ///< bound of the rounding error of each coefficient of either polynomial
   std::array<double, max_form_size> jacobian, squares;
 
   int size() const { return net_size(degree); }
-  /// Mean of the coefficients of det J: twice the signed area.
+  /// The mean of the coefficients of det J: twice the signed area of the scaled element.
   double mean_jacobian() const;
-  /// det J, or an area, of the element itself; infinite where that overflows.
+  /// A value of det J, or an area, in the units of the element itself; infinite if it overflows.
   double unscaled(double area) const { return area * unit * unit; }
 };
 void element_forms(int degree, std::span<const Point> net, ElementForms& forms);
 
-/// The measures of element_quality.h, from the forms; NaN where these are not finite.
+/// The measures of element_quality.h, from the forms; NaN if these are not finite.
 double distortion(const ElementForms& forms);
 double curved_shape(const ElementForms& forms);
 double jacobian_peak(const ElementForms& forms);
 
-/// Of curved_shape: from its bound to the true minimum.
+/// curved_shape is below the true minimum by at most the larger of these, the first times the minimum.
 inline constexpr double shape_relative_width = 0.01, shape_absolute_width = 1e-6;
-/// ElementForms::error for p = 2.
+/// ElementForms::error for p = 2 (there most_terms is 2).
 inline constexpr double quadratic_error = (2 + 10) * 0x1p-53 * 16 * 4;
 
-/// Guaranteed enclosures of the extrema of det J, scaled as the forms are, to `relative_width` of the largest
-/// coefficient. NaN where the forms are not finite.
+/// Guaranteed enclosures of the least and of the greatest det J, in the scale of the forms. Each is at most
+/// `relative_width` times the largest coefficient wide. NaN if the forms are not finite.
 struct FormRange {
   Bounds least, greatest;
 };
 FormRange jacobian_range(const ElementForms& forms, double relative_width);
 double scaled_jacobian(const ElementForms& forms, const FormRange& range);
 
-/// The angle in [0, pi] with this sine and cosine, up to a common factor; for small ones, most edges', the quotient.
+/// The angle in [0, pi] whose sine and cosine are these, up to a common factor. Most edges turn so little that the
+/// quotient is the angle.
 inline double turn_of(double sine, double cosine) {
   return sine < 0x1p-28 * cosine ? sine / cosine : std::atan2(sine, cosine);
 }
 
-/// For each degree p, once: the triangles of the control net, as indices into it, counter-clockwise: first those that
-/// stand as the element does (its partial derivatives are their sides), in the order of NetLayout(p - 1), then those
-/// turned over. p^2 in all.
+/// The p^2 triangles of a control net, as indices into it, counter-clockwise. First come those that stand as the
+/// element does, in the order of NetLayout(p - 1): their sides are the partial derivatives over p. Then come those
+/// upside down.
 std::span<const std::array<int, 3>> control_triangles(int degree);
 
 }  // namespace pliant

@@ -1,4 +1,4 @@
-// lib/pliant/quality/element/element_measures.cpp: each from the forms, computed once.
+// lib/pliant/quality/element/element_measures.cpp: all measures of an element from its forms, which are computed once.
 #include "pliant/quality/element/element_measures.h"
 
 #include <algorithm>
@@ -20,7 +20,7 @@ namespace {
 
 constexpr double degrees = 180 / std::numbers::pi;
 
-/// Asks for the control points before they are needed: they lie anywhere in memory.
+/// Asks for control points before they are needed, since they lie scattered in memory.
 void fetch([[maybe_unused]] const MeshData& data, [[maybe_unused]] std::span<const TriangleId> elements) {
 #ifdef __GNUC__
   for (const TriangleId t : elements)
@@ -44,6 +44,7 @@ void find_extreme_edges(ElementMeasures& measures) {
   measures.longest_edge = *std::ranges::max_element(measures.edge_length);
 }
 
+/// The measures of the l-th element of a block.
 ElementMeasures lane(const QuadraticBlock& block, std::size_t l) {
   ElementMeasures measures{Validity::valid,
                            block.jacobian[l],

@@ -1,4 +1,4 @@
-// lib/pliant/quality/element/element_quality.cpp: closed forms and ratios of bounds.
+// lib/pliant/quality/element/element_quality.cpp: measures by closed formulas, and by ratios of guaranteed bounds.
 #include "pliant/quality/element/element_quality.h"
 
 #include <algorithm>
@@ -31,15 +31,15 @@ double any_turning(int degree, std::span<const Point> net) {
   return largest;
 }
 
-/// One arc tangent serves three edges: (dot, |cross|) of the legs are vectors of the upper half-plane, and the one that
-/// stands to the left of the others has the largest angle.
+/// For p = 2, one arc tangent serves all three edges: (dot, |cross|) of the two legs of an edge is a vector in the
+/// upper half-plane, and the leftmost of the three vectors belongs to the largest angle.
 double quadratic_turning(std::span<const Point> net) {
   Vector largest{1, 0};
   for (std::size_t e = 0; e < 3; ++e) {
     const Vector a = net[3 + e] - net[e], b = net[(e + 1) % 3] - net[3 + e];
     Vector turn{dot(a, b), std::fabs(cross(a, b))};
     const double size = std::fabs(turn.x) + turn.y;
-    if (!(size > 0 && std::isfinite(size))) return any_turning(2, net);  // a leg without length, or of extreme length
+    if (!(size > 0 && std::isfinite(size))) return any_turning(2, net);  // the length of a leg is 0 or extreme
     turn *= 1 / size;
     if (cross(largest, turn) > 0 || (turn.y == 0 && turn.x < 0)) largest = turn;
   }
@@ -52,8 +52,8 @@ double distortion(const ElementForms& forms) {
   if (!forms.is_finite) return nan;
   const double mean = forms.mean_jacobian();
   if (!(mean > 0)) return nan;
-  // The integral of (c - 1)^2, c = det J / mean, is that of c^2 less 1/2: so the result is 1 exactly where all is
-  // equal.
+  // With c = det J / mean, the integral of c^2 is that of (c - 1)^2 plus 1/2. Computed so, the result is exactly 1 if
+  // all coefficients are equal.
   std::array<double, max_form_size> excess;
   const std::size_t size = index(forms.size());
   for (std::size_t n = 0; n < size; ++n) excess[n] = forms.jacobian[n] / mean - 1;

@@ -1,4 +1,4 @@
-// lib/pliant/quality/element/quadratic_block.cpp: the same arithmetic in vectors of two.
+// lib/pliant/quality/element/quadratic_block.cpp: the measures of quadratic elements, computed for two at a time.
 #include "pliant/quality/element/quadratic_block.h"
 
 #include <bit>
@@ -14,8 +14,9 @@
 namespace pliant {
 namespace {
 
-/// Elements side by side: vectors of the compiler's, which every machine can do, if need be one after the other.
-/// Without contraction of products and sums each lane gives the same bits as a double.
+/// A Pack holds a number of each of `width` elements, as a vector type of the compiler; on a machine without such
+/// vectors it computes one element after the other. Since products and sums are not contracted, each element gets the
+/// same bits as with single doubles.
 constexpr std::size_t width = 2;
 using Pack [[gnu::vector_size(width * sizeof(double))]] = double;
 using Mask [[gnu::vector_size(width * sizeof(double))]] = std::int64_t;
@@ -47,12 +48,13 @@ inline PackVector choose(const Mask& which, const PackVector& a, const PackVecto
   return {which ? a.x : b.x, which ? a.y : b.y};
 }
 
-/// triangle_shape of the triangle with sides u and v from its first corner, and w between.
+/// triangle_shape of the triangle with sides u and v from its first corner, and w between their ends.
 inline Pack shape_of(const PackVector& u, const PackVector& w, const PackVector& v) {
   return 4 * std::numbers::sqrt3 * (cross(u, v) / 2) / (dot(u, u) + dot(w, w) + dot(v, v));
 }
 
-/// `settled` gathers what has to hold for the simple bounds to be those that subdivision would give.
+/// Measures `width` elements by simple bounds. `settled` tells for which of them these are the bounds that the code for
+/// single elements would find, without subdivision.
 struct Elements {
   std::array<PackVector, 6> p;
   std::array<PackVector, 3> a, b;  // derivatives at the corners, along edges 12 and 13: sides of control triangles
@@ -60,7 +62,7 @@ struct Elements {
   Pack error;
   Mask settled;
 
-  /// Lengths whose squares over- or underflow are left to the code that scales first.
+  /// Elements with lengths whose squares could over- or underflow are left to the code that scales first.
   void differentiate() {
     a = {p[3] - p[0], p[1] - p[3], p[4] - p[5]};
     b = {p[5] - p[0], p[4] - p[3], p[2] - p[5]};
@@ -86,7 +88,7 @@ struct Elements {
     const Pack all_most = most(most(most(corner_most, jacobian[3]), jacobian[4]), jacobian[5]);
     const Pack accepted = jacobian_width * most(absolute(all_least), absolute(all_most));
     settled &= (corner_least - all_least <= accepted) & (all_most - corner_most <= accepted);
-    settled &= all_least > 4 * error;  // so the element is valid, too
+    settled &= all_least > 4 * error;  // this also proves that the element is valid
     const Pack lower = all_least - error, upper = all_most + error;
     store(lower, &block.jacobian[l]);
     store(upper, &block.jacobian_max[l]);
@@ -123,7 +125,7 @@ struct Elements {
     store(least(control, shape_of(p[5] - p[4], p[3] - p[5], p[3] - p[4])), &block.control_tau[l]);
   }
 
-  /// The least angle is opposite the shortest side.
+  /// The logical triangle: its shape, and its least angle, which is opposite to the shortest side.
   void measure_logical(QuadraticBlock& block, std::size_t l) const {
     const PackVector u = p[1] - p[0], v = p[2] - p[0], w = p[2] - p[1];
     store(shape_of(u, w, v), &block.logical_tau[l]);
@@ -135,7 +137,8 @@ struct Elements {
     store(dot(g, h), &block.angle_cosine[l]);
   }
 
-  /// Of legs that turn, (dot, |cross|) are vectors of the upper half-plane, and the leftmost has the largest angle.
+  /// Turning and length of the edges. (dot, |cross|) of the two legs of an edge is a vector in the upper half-plane,
+  /// and the leftmost of the three belongs to the largest angle.
   void measure_edges(QuadraticBlock& block, std::size_t l) {
     PackVector largest{1 + Pack{}, Pack{}};
     for (std::size_t e = 0; e < 3; ++e) {

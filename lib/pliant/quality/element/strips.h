@@ -1,4 +1,4 @@
-// lib/pliant/quality/element/strips.h: which boxes does a horizontal line meet? (private to this layer).
+// lib/pliant/quality/element/strips.h: finds the boxes that a horizontal line meets (private to this layer).
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -10,7 +10,8 @@
 
 namespace pliant {
 
-/// Boxes sorted into horizontal strips of equal height, so that a line sees few more boxes than it meets.
+/// Boxes sorted into horizontal strips of equal height, so that few boxes have to be looked at that a line does not
+/// meet.
 class Strips {
  public:
   explicit Strips(std::span<const Box> boxes) {
@@ -19,7 +20,7 @@ class Strips {
       all.extend(box.low);
       all.extend(box.high);
     }
-    // So many that a box is in some eight of them on average.
+    // There are so many strips that a box is in about eight of them on average.
     double heights = 0;
     for (const Box& box : boxes) heights += (box.high.y - box.low.y) / (all.high.y - all.low.y);
     const double wanted = std::min(7 / heights, 0.25) * static_cast<double>(boxes.size());
@@ -32,7 +33,7 @@ class Strips {
       for (std::size_t s = index(boxes[k].low.y); s <= index(boxes[k].high.y); ++s) strips_[s].push_back(k);
   }
 
-  /// All boxes that the line of this height meets, and some others, ascending.
+  /// The numbers of all boxes that the line at this height meets, and of some others, ascending.
   std::span<const std::size_t> at(double y) const { return strips_[index(y)]; }
 
  private:
