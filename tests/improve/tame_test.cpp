@@ -4,9 +4,9 @@
 #include <catch2/catch.hpp>
 
 #include "improve/improve_meshes.h"
-#include "pliant/geometry/predicates.h"
 #include "pliant/improve/legalize.h"
 #include "pliant/improve/smoothing/straighten_together.h"
+#include "pliant/mesh/turned_over.h"
 
 using namespace pliant;
 using namespace pliant::improve_meshes;
@@ -60,6 +60,13 @@ Mesh sheared_grid(int degree, int n, double s) {
     curve.spline = BSpline(degree, false, std::move(knots), std::move(points));
   }
   return Mesh(std::move(data));
+}
+
+std::vector<TriangleId> find_turned_over(const Mesh& mesh) {
+  std::vector<TriangleId> found;
+  for (TriangleId t = 0; t < mesh.triangle_slots(); ++t)
+    if (mesh.is_alive(t) && is_turned_over(mesh, t)) found.push_back(t);
+  return found;
 }
 
 }  // namespace

@@ -5,14 +5,10 @@
 #include <unordered_map>
 
 #include "pliant/geometry/index.h"
-#include "pliant/geometry/predicates.h"
+#include "pliant/mesh/turned_over.h"
 
 namespace pliant {
 namespace {
-
-bool is_turned_over(const Mesh& mesh, TriangleId t) {
-  return orient2d(mesh.point(mesh.corner(t, 0)), mesh.point(mesh.corner(t, 1)), mesh.point(mesh.corner(t, 2))) <= 0;
-}
 
 /// Calls visit(triangle) for those that have a corner in common with t and are reached around it without crossing a
 /// constrained edge.

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "pliant/geometry/predicates.h"
+#include "pliant/improve/edge_bend.h"
 #include "pliant/improve/smoothing/straighten_together.h"
 #include "pliant/ops/flip_edge.h"
 #include "pliant/ops/smooth_edge.h"
@@ -18,16 +19,12 @@ struct Bend {
 constexpr Bend mild{0.1, 0.3}, bad{0.3, 0.9};
 
 bool is_bent(const Mesh& mesh, HalfEdgeId h, const Bend& bend = mild) {
-  const int p = mesh.degree();
-  const Point &a = mesh.point(mesh.origin(h)), &b = mesh.point(mesh.target(h));
-  const Vector along = b - a;
-  double off = 0;  // squared
-  for (int k = 1; k < p; ++k)
-    off = std::max(off, squared_length(mesh.point(mesh.edge_point(h, k)) - (a + (static_cast<double>(k) / p) * along)));
-  const double length = squared_length(along);
+  const Point& a = mesh.point(mesh.origin(h));
+  const Vector along = mesh.point(mesh.target(h)) - a;
+  const double off = squared_bend(mesh, h), length = squared_length(along);  // length: squared, too
   if (off > bend.of_length * bend.of_length * length) return true;
-  const auto exceeds_height = [&](HalfEdgeId of) {
-    const double twice_area = cross(along, mesh.point(mesh.apex(of)) - a);
+  const auto exceeds_height = [&](HalfEdgeId side) {
+    const double twice_area = cross(along, mesh.point(mesh.apex(side)) - a);
     return off * length > bend.of_height * bend.of_height * twice_area * twice_area;
   };
   return exceeds_height(h) || exceeds_height(mesh.twin(h));

@@ -6,9 +6,9 @@
 #include <utility>
 #include <vector>
 
-#include "pliant/geometry/predicates.h"
 #include "pliant/improve/refine.h"
 #include "pliant/mesh/check_mesh.h"
+#include "pliant/mesh/turned_over.h"
 #include "pliant/quality/too_curved.h"
 
 namespace pliant {
@@ -25,7 +25,7 @@ MissedGoals count_missed(const Mesh& mesh, const QualityGoals& goals) {
       ++missed.invalid;
       continue;
     }
-    if (orient2d(net[0], net[1], net[2]) <= 0) {
+    if (is_turned_over(net[0], net[1], net[2])) {
       ++missed.turned_over;
       continue;
     }

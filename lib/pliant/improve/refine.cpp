@@ -22,6 +22,7 @@
 #include "pliant/improve/triangle_budget.h"
 #include "pliant/mesh/locate.h"
 #include "pliant/mesh/star.h"
+#include "pliant/mesh/turned_over.h"
 #include "pliant/ops/insert_point.h"
 
 namespace pliant {

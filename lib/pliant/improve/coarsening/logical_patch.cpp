@@ -3,9 +3,11 @@
 #include "pliant/improve/coarsening/logical_patch.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "pliant/geometry/index.h"
 #include "pliant/geometry/predicates.h"
+#include "pliant/improve/edge_bend.h"
 #include "pliant/improve/legalize.h"
 #include "pliant/mesh/star.h"
 #include "pliant/ops/removal/merge.h"
@@ -30,7 +32,7 @@ int LogicalPatch::bring_in(TriangleId t) {
   copy.triangle = t;
   for (int e = 0; e < 3; ++e) {
     const HalfEdgeId h = half_edge(t, e), g = mesh_.twin(h);
-    if (measures_) measure(h);
+    if (measures_) bend_ = std::max(bend_, std::sqrt(squared_bend(mesh_, h)));
     copy.corners[index(e)] = mesh_.origin(h);
     copy.is_constrained[index(e)] = mesh_.is_constrained(h);
     copy.beyond[index(e)] = g == none ? wall : outside_piece(g);
@@ -43,15 +45,6 @@ int LogicalPatch::bring_in(TriangleId t) {
   }
   pieces_.push_back(copy);
   return now;
-}
-
-void LogicalPatch::measure(HalfEdgeId h) {
-  const int p = mesh_.degree();
-  const Point &a = place(mesh_.origin(h)), &b = place(mesh_.target(h));
-  for (int k = 1; k < p; ++k) {
-    const Point straight = a + (static_cast<double>(k) / p) * (b - a);
-    bend_ = std::max(bend_, distance(mesh_.point(mesh_.edge_point(h, k)), straight));
-  }
 }
 
 int LogicalPatch::side_towards(int p, PointId origin) const {

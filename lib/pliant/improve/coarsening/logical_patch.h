@@ -79,7 +79,6 @@ class LogicalPatch {
   void bring_in_star(PointId v);
   void flip(int p, int side);
   Outcome flip_to_delaunay();
-  void measure(HalfEdgeId h);
 
   const Mesh& mesh_;
   std::vector<Piece> pieces_;

@@ -10,8 +10,6 @@
 #include "pliant/improve/thin_gaps.h"
 
 namespace pliant {
-namespace {}  // namespace
-
 double edge_turning(const Mesh& mesh, HalfEdgeId h) {
   std::array<Point, max_degree + 1> polygon;
   mesh.gather_edge_points(h, polygon);

@@ -5,9 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "pliant/geometry/predicates.h"
+#include "pliant/improve/edge_bend.h"
 #include "pliant/improve/refining/refine_attack.h"
 #include "pliant/mesh/star.h"
+#include "pliant/mesh/turned_over.h"
 #include "pliant/ops/insert_point.h"
 
 namespace pliant {
@@ -29,29 +30,12 @@ double distance_between(const Barycentric& a, const Barycentric& b) {
   return std::sqrt((u * u + v * v + w * w) / 2);
 }
 
-/// The greatest distance of the control points from where they would be if the edge were straight; squared, in chords.
-double bend_of(const Mesh& mesh, HalfEdgeId h) {
-  const Point &a = mesh.point(mesh.origin(h)), &b = mesh.point(mesh.target(h));
-  double most = 0;
-  for (int k = 1; k < mesh.degree(); ++k) {
-    const double s = static_cast<double>(k) / mesh.degree();
-    most = std::max(most, squared_length(mesh.point(mesh.edge_point(h, k)) - (a + s * (b - a))));
-  }
-  return most / squared_length(b - a);
+/// The bend of an edge in lengths of its chord; squared.
+double relative_bend(const Mesh& mesh, HalfEdgeId h) {
+  return squared_bend(mesh, h) / squared_length(mesh.point(mesh.target(h)) - mesh.point(mesh.origin(h)));
 }
 
 }  // namespace
-
-bool is_turned_over(const Mesh& mesh, TriangleId t) {
-  return orient2d(mesh.point(mesh.corner(t, 0)), mesh.point(mesh.corner(t, 1)), mesh.point(mesh.corner(t, 2))) <= 0;
-}
-
-std::vector<TriangleId> find_turned_over(const Mesh& mesh) {
-  std::vector<TriangleId> found;
-  for (TriangleId t = 0; t < mesh.triangle_slots(); ++t)
-    if (mesh.is_alive(t) && is_turned_over(mesh, t)) found.push_back(t);
-  return found;
-}
 
 TameCounts Tamer::tame(std::vector<TriangleId> seeds, long max_triangles) {
   counts_ = {};
@@ -154,7 +138,7 @@ HalfEdgeId Tamer::edge_to_cut(TriangleId t) {
     const HalfEdgeId h = half_edge(t, e);
     const double length = reference_length(h), longest = reference_length(best);
     if (length > longest * (1 + equal_length) ||
-        (length > longest * (1 - equal_length) && bend_of(mesh_, h) > bend_of(mesh_, best)))
+        (length > longest * (1 - equal_length) && relative_bend(mesh_, h) > relative_bend(mesh_, best)))
       best = h;
   }
   return best;

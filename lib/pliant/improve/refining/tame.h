@@ -68,8 +68,4 @@ class Tamer {
   std::vector<RefusedEdge> refused_;
 };
 
-bool is_turned_over(const Mesh& mesh, TriangleId t);
-/// The straight triangles that are not positive.   Complexity  O(triangles)
-std::vector<TriangleId> find_turned_over(const Mesh& mesh);
-
 }  // namespace pliant

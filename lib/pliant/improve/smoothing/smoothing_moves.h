@@ -42,7 +42,6 @@ class SmoothingMoves {
   void allow_searches(std::size_t elements);
   /// Of an element whose straight triangle is turned over, by what the options allow: fewer are, no element is worse.
   bool turn_back(TriangleId t);
-  bool is_turned_over(TriangleId t) const;
   /// From now on no change leaves an element below `floor` in shape or scaled Jacobian, unless the worst of the
   /// elements that it touches was so before and is no worse after it; and none leaves more elements invalid.
   void guard(const LeastQuality& floor) { floor_ = floor; }

@@ -11,6 +11,7 @@
 #include "pliant/geometry/index.h"
 #include "pliant/geometry/predicates.h"
 #include "pliant/mesh/star.h"
+#include "pliant/mesh/turned_over.h"
 
 namespace pliant {
 namespace {
@@ -49,12 +50,8 @@ bool turns_over(const Mesh& mesh, HalfEdgeId h, const Point& x, bool at_origin) 
   return sign * orient2d(end, x, beyond) <= 0 || sign * orient2d(x, apex, beyond) <= 0;
 }
 
-bool is_turned_over(const Mesh& mesh, TriangleId t) {
-  return orient2d(mesh.point(mesh.corner(t, 0)), mesh.point(mesh.corner(t, 1)), mesh.point(mesh.corner(t, 2))) <= 0;
-}
-
 /// How far control points are off the chord.
-double bend_of(const Mesh& mesh, HalfEdgeId h) {
+double height_over_chord(const Mesh& mesh, HalfEdgeId h) {
   const Point& a = mesh.point(mesh.origin(h));
   const Vector along = mesh.point(mesh.target(h)) - a;
   double most = 0;
@@ -161,7 +158,8 @@ SplitPartner find_partner(const Mesh& mesh, HalfEdgeId h, const SharpCorners& co
           const auto [near, far] = std::minmax({distance(apex, mesh.point(a)), distance(apex, mesh.point(b))});
           const double margin = least_part * (far - near);
           if (radius < near + margin || radius > far - margin) continue;
-          if (std::max(bend_of(mesh, h), bend_of(mesh, beside)) < least_bend_of_gap * gap_at(mesh, beside, apex, x))
+          if (std::max(height_over_chord(mesh, h), height_over_chord(mesh, beside)) <
+              least_bend_of_gap * gap_at(mesh, beside, apex, x))
             continue;
           return {a, b, corner};
         }
@@ -180,7 +178,7 @@ HalfEdgeId curve_that_turns_over(const Mesh& mesh, TriangleId t) {
     for (int e = 0; e < 3; ++e) {
       const HalfEdgeId h = half_edge(cluster[k], e);
       if (mesh.is_constrained(h)) {
-        const double bend = bend_of(mesh, h);
+        const double bend = height_over_chord(mesh, h);
         const double chord = distance(mesh.point(mesh.origin(h)), mesh.point(mesh.target(h)));
         if (bend > std::max(most, least_bend * chord)) most = bend, found = h;
       } else if (is_turned_over(mesh, cluster[k])) {

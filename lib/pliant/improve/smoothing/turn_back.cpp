@@ -3,16 +3,14 @@
 #include <array>
 #include <functional>
 
-#include "pliant/geometry/predicates.h"
 #include "pliant/improve/smoothing/smoothing_moves.h"
+#include "pliant/mesh/turned_over.h"
 #include "pliant/ops/flip_edge.h"
 
 namespace pliant {
 namespace {
 
 constexpr int smoothing_rounds = 3;  // of the edges around a vertex that turns triangles back
-
-bool is_turned_over(const Point& a, const Point& b, const Point& c) { return orient2d(a, b, c) <= 0; }
 
 /// No element is worse for it, from the worst on; what is fine may become less so.
 bool is_no_worse(std::span<const double> now, std::span<const double> before) {
@@ -24,11 +22,6 @@ bool is_no_worse(std::span<const double> now, std::span<const double> before) {
 }
 
 }  // namespace
-
-bool SmoothingMoves::is_turned_over(TriangleId t) const {
-  return pliant::is_turned_over(mesh_.point(mesh_.corner(t, 0)), mesh_.point(mesh_.corner(t, 1)),
-                                mesh_.point(mesh_.corner(t, 2)));
-}
 
 std::vector<double> SmoothingMoves::excesses_of(std::span<const TriangleId> elements) const {
   std::vector<double> excesses;
@@ -65,7 +58,7 @@ bool SmoothingMoves::turn_back_by_vertex(PointId v) {
     int count = 0;
     for (std::size_t e = 0; e < trial_.count(); ++e) {
       const auto net = trial_.net(e);
-      count += pliant::is_turned_over(net[0], net[1], net[2]);
+      count += is_turned_over(net[0], net[1], net[2]);
     }
     return count;
   };

@@ -6,6 +6,7 @@
 #include "pliant/geometry/control_net.h"
 #include "pliant/geometry/index.h"
 #include "pliant/geometry/predicates.h"
+#include "pliant/mesh/turned_over.h"
 #include "pliant/ops/build_triangle.h"
 
 namespace pliant {
@@ -60,12 +61,10 @@ std::string describe(Unmended reason, const SmoothMeans& means) {
 }
 
 UnmendedElement explain_unmended(const Mesh& mesh, TriangleId t) {
-  const auto corner = [&](int c) { return mesh.point(mesh.corner(t, c)); };
-  const bool is_positive = orient2d(corner(0), corner(1), corner(2)) > 0;
   return {t, centre_of(mesh, t),
           has_fixed_bad_corner(mesh, t) ? Unmended::smooth_corner
-          : is_positive                 ? Unmended::no_better_place
-                                        : Unmended::turned_over};
+          : is_turned_over(mesh, t)     ? Unmended::turned_over
+                                        : Unmended::no_better_place};
 }
 
 }  // namespace pliant
