@@ -1,4 +1,4 @@
-// lib/pliant/geometry/quadrature.cpp: symmetric and collapsed Gauss rules.
+// lib/pliant/geometry/quadrature.cpp: symmetric rules of low degrees, and Gauss rules on the collapsed square.
 #include "pliant/geometry/quadrature.h"
 
 #include <array>
@@ -15,7 +15,7 @@ namespace pliant {
 namespace {
 
 constexpr int greatest_exact_degree = 40;
-using Real = long double;  // so that nodes and weights are doubles to the last bit or so
+using Real = long double;  // rounded to double, nodes and weights are then right to the last bit or so
 
 /// A polynomial's value and derivative at a point of [-1, 1].
 struct Value {
@@ -33,8 +33,9 @@ Value legendre(int n, Real x) {
   return now;
 }
 
-/// All n roots in (-1, 1), ascending, of a polynomial with real roots only; `outside` is a further, known root or 0.
-/// Newton on the polynomial divided by the roots found: from the left it climbs to the next one without passing it.
+/// All n roots in (-1, 1), ascending, of a polynomial with real roots only. `outside` is one more root, which is known,
+/// or 0 if there is none. Newton's method runs on the polynomial divided by the known roots; coming from the left, it
+/// climbs to the next root without passing it.
 template <class Polynomial>
 std::vector<Real> roots_of(int n, const Polynomial& polynomial, Real outside) {
   std::vector<Real> roots;
@@ -53,7 +54,7 @@ std::vector<Real> roots_of(int n, const Polynomial& polynomial, Real outside) {
   return roots;
 }
 
-/// Node and weight on [0, 1].
+/// Pairs of a node and its weight, on [0, 1].
 using Nodes = std::vector<std::pair<Real, Real>>;
 
 Nodes gauss_legendre(int n) {
@@ -82,13 +83,15 @@ Nodes gauss_jacobi(int n) {
   return nodes;
 }
 
+/// Adds the three nodes that the permutations of (1 - 2a, a, a) give.
 void add_orbit(std::vector<TriangleNode>& rule, double a, double weight) {
   rule.push_back({{1 - 2 * a, a, a}, weight / 2});
   rule.push_back({{a, 1 - 2 * a, a}, weight / 2});
   rule.push_back({{a, a, 1 - 2 * a}, weight / 2});
 }
 
-/// Up to degree 5 the symmetric rules with fewest points (Strang and Fix; Radon), above that the collapsed square.
+/// Up to degree 5 the symmetric rules with fewest points (Strang and Fix; Radon); above that Gauss rules on the unit
+/// square, one side of which is collapsed to a corner.
 std::vector<TriangleNode> build_triangle_rule(int degree) {
   std::vector<TriangleNode> rule;
   if (degree <= 1) {
@@ -108,11 +111,11 @@ std::vector<TriangleNode> build_triangle_rule(int degree) {
   } else {
     const int n = degree / 2 + 1;
     const Nodes across = gauss_legendre(n);
-    for (const auto& [y, of_y] : gauss_jacobi(n)) {
-      for (const auto& [x, of_x] : across) {
+    for (const auto& [y, weight_y] : gauss_jacobi(n)) {
+      for (const auto& [x, weight_x] : across) {
         const Real xi2 = x * (1 - y);
         rule.push_back({{static_cast<double>((1 - x) * (1 - y)), static_cast<double>(xi2), static_cast<double>(y)},
-                        static_cast<double>(of_x * of_y)});
+                        static_cast<double>(weight_x * weight_y)});
       }
     }
   }
