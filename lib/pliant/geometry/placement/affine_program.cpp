@@ -12,7 +12,7 @@ namespace {
 
 using Row = std::array<double, 3>;
 
-constexpr double tolerance = 1e-13;
+constexpr double tolerance = 1e-13;  // a constraint that is violated by less holds; a multiplier below it is 0
 constexpr int most_steps = 200;
 
 Row cross_product(const Row& u, const Row& v) {
@@ -20,7 +20,7 @@ Row cross_product(const Row& u, const Row& v) {
 }
 double product(const Row& u, const Row& v) { return u[0] * v[0] + u[1] * v[1] + u[2] * v[2]; }
 
-/// The constraints row . (x, y, value) <= limit: the functions', then the four sides of the square.
+/// The constraints row . (x, y, value) <= limit: one for each function, then one for each side of the square.
 class Constraints {
  public:
   Constraints(std::span<const AffineFunction> functions, double reach) : functions_(functions), reach_(reach) {}
@@ -61,7 +61,7 @@ class Constraints {
 /// Three constraints that hold with equality, with the inverse of their matrix.
 struct Basis {
   std::array<int, 3> members;
-  std::array<Row, 3> columns;  ///< of the inverse
+  std::array<Row, 3> columns;  ///< columns of the inverse
 
   void invert(const Constraints& constraints) {
     const Row a = constraints.row(members[0]), b = constraints.row(members[1]), c = constraints.row(members[2]);
@@ -74,7 +74,7 @@ struct Basis {
     Row z{};
     for (std::size_t i = 0; i < 3; ++i)
       for (std::size_t j = 0; j < 3; ++j) z[j] += constraints.limit(members[i]) * columns[i][j];
-    // Once more with what is left, so that the three hold to rounding where they are nearly parallel.
+    // One step of iterative refinement, so that the three hold to rounding even where they are nearly parallel.
     Row left{};
     for (std::size_t i = 0; i < 3; ++i)
       left[i] = constraints.limit(members[i]) - product(constraints.row(members[i]), z);
@@ -82,14 +82,14 @@ struct Basis {
       for (std::size_t j = 0; j < 3; ++j) z[j] += left[i] * columns[i][j];
     return z;
   }
-  /// How `row` is combined from the members' rows.
+  /// The factors with which the members' rows add up to `row`.
   Row shares_of(const Row& row) const {
     return {product(row, columns[0]), product(row, columns[1]), product(row, columns[2])};
   }
 };
 
-/// The place nearest to `near` where all functions are at least `level`: half-planes one by one. A place that is known
-/// to be there bounds the answer, and is the answer when rounding leaves nothing.
+/// The place nearest to `near` where all functions are at least `level`, from half-planes that are added one by one.
+/// `known` is such a place; it is the answer where rounding leaves no other, or none that is nearer.
 Point nearest_at_level(std::span<const AffineFunction> functions, double level, const Point& near, const Point& known) {
   Point best = near;
   for (std::size_t i = 0; i < functions.size(); ++i) {
@@ -147,7 +147,7 @@ AffineOptimum maximise_least(std::span<const AffineFunction> functions, double r
         ratio = candidate;
       }
     }
-    if (leaving == 3) break;  // only rounding gets here: every set of functions has an optimum in the square
+    if (leaving == 3) break;  // only rounding leads here, because there always is an optimum in the square
     basis.members[leaving] = entering;
   }
 
@@ -159,7 +159,7 @@ AffineOptimum maximise_least(std::span<const AffineFunction> functions, double r
     result.active[i] = -1;
     if (shares[i] > 1e-9) result.bounded = false;
   }
-  // Whatever rounding did, the value is one that the place has.
+  // The value is computed anew at the place, so that it is true there whatever rounding did.
   const auto value_at = [functions](const Point& q) {
     double value = std::numeric_limits<double>::infinity();
     for (const AffineFunction& f : functions) value = std::min(value, f(q));
