@@ -104,7 +104,7 @@ TEST_CASE("a vertex that no curve ends in may lie anywhere but on a curve", "[bo
              Catch::Contains("vertex 4 (0.5, 0), no curve's end, lies on curve 'side 0' (0) at parameter"));
 }
 
-TEST_CASE("curves that coincide are told of once a span", "[boundary]") {
+TEST_CASE("curves that coincide are reported once for each span", "[boundary]") {
   BoundaryComplex b = one_cell(2);
   b.faces.push_back({"twin", {}});
   b.curves.push_back(closed_curve("twin", b.curves[0].spline, 1));

@@ -53,7 +53,7 @@ TEST_CASE("the sample boundaries name the faces that lie beside their curves", "
     CHECK(first_text(b) == "");
 }
 
-TEST_CASE("of circles in circles, the one that names wrong faces is told", "[boundary][property]") {
+TEST_CASE("among circles in circles, the one that names wrong faces is reported", "[boundary][property]") {
   const auto seed = GENERATE(range(0u, 40u));
   CAPTURE(seed);
   std::mt19937 random(seed);
@@ -69,7 +69,7 @@ TEST_CASE("of circles in circles, the one that names wrong faces is told", "[bou
   CHECK_THAT(faults.front().text, Catch::Contains("lies there: exchange left and right"));
 }
 
-TEST_CASE("a face on the wrong side of its only curve is told", "[boundary]") {
+TEST_CASE("a face on the wrong side of its only curve is reported", "[boundary]") {
   BoundaryComplex b = one_cell(2);
   std::swap(b.curves[0].left, b.curves[0].right);
   CHECK_THAT(first_text(b), Catch::Contains("/curves/0/") && Catch::Contains("exchange left and right"));
@@ -78,7 +78,7 @@ TEST_CASE("a face on the wrong side of its only curve is told", "[boundary]") {
   CHECK(sides(b).size() == 1);
 }
 
-TEST_CASE("a hole that names its face on the inside is told, though the area of the face stays positive",
+TEST_CASE("a hole that names its face on the inside is reported, though the area of the face stays positive",
           "[boundary]") {
   BoundaryComplex b = square();
   b.curves.push_back(closed_curve("hole", circle(2, {0.5, 0.5}, 0.2), 0, outside));
@@ -86,7 +86,7 @@ TEST_CASE("a hole that names its face on the inside is told, though the area of 
                                 Catch::Contains("the outside on its right, but face 'square' lies there: exchange"));
 }
 
-TEST_CASE("a face that names the wrong face around it is told with the right one", "[boundary]") {
+TEST_CASE("a curve that names the wrong face around it is reported with the right one", "[boundary]") {
   BoundaryComplex b = square();
   b.faces.push_back({"one", {}});
   b.faces.push_back({"two", {}});
@@ -98,7 +98,7 @@ TEST_CASE("a face that names the wrong face around it is told with the right one
   CHECK_THAT(first_text(b), Catch::Contains("names the outside on its right") && Catch::Contains("face 'square' lies"));
 }
 
-TEST_CASE("a face on the wrong side of several curves is told once", "[boundary]") {
+TEST_CASE("a face on the wrong side of several curves is reported once", "[boundary]") {
   BoundaryComplex b = square();
   for (Curve& curve : b.curves) std::swap(curve.left, curve.right);
   const auto faults = sides(b);

@@ -94,7 +94,7 @@ TEST_CASE("numbers that are not finite are found", "[boundary]") {
   CHECK(names(check_boundary(b), "/curves/0", "points/2"));
 }
 
-TEST_CASE("a vertex that stands twice at one point is named where a loop does not close", "[boundary]") {
+TEST_CASE("two vertices at one point are named where a loop does not close between them", "[boundary]") {
   BoundaryComplex b = square();
   b.vertices.push_back(b.vertices[2]);
   b.curves[2].start = 4;

@@ -102,7 +102,7 @@ TEST_CASE("a long line and a short arc that ends tangent to it do not meet elsew
   CHECK((!found || found->kind == Contact::Kind::turns_back));
 }
 
-TEST_CASE("loops, cusps and stops of a single curve are found, bends are none", "[boundary]") {
+TEST_CASE("loops, cusps and stops of a single curve are found, and bends are not taken for them", "[boundary]") {
   CHECK_FALSE(meets_itself({{0, 0}, {1, 2}, {2, 0}}));
   const auto loop = find_self_contact({Curve{{0, 0}, {3, 2}, {-2, 2}, {1, 0}}, 0, 1});
   REQUIRE(loop);
@@ -139,7 +139,7 @@ TEST_CASE("random curves meet if and only if their fine polygons do", "[boundary
   if (!crosses && nearest > 0.02) CHECK_FALSE(meets(a, b));
 }
 
-TEST_CASE("curves whose differences overflow end in an answer", "[boundary]") {
+TEST_CASE("even curves whose differences overflow get an answer", "[boundary]") {
   const double huge = 1.7e308;
   const std::vector<Curve> curves{{{0, 0}, {huge, 0}},
                                   {{huge, 0}, {0, 1}},

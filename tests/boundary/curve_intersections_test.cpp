@@ -1,5 +1,4 @@
-// tests/boundary/curve_intersections_test.cpp: intersections of Bézier curves where formulas know them, tangent ones
-// too.
+// tests/boundary/curve_intersections_test.cpp: Bézier curves meet, or touch, where formulas say that they do.
 #include "pliant/boundary/curve_intersections.h"
 
 #include <algorithm>
@@ -53,7 +52,7 @@ TEST_CASE("cuts leave pieces that are monotone in x and in y", "[boundary][prope
 }
 
 TEST_CASE("a parabola and a line meet where the quadratic formula says", "[boundary]") {
-  // y = x^2 on [0, 1] and y = x / 2 + 1 / 8 - h, of which the roots are 1/4 + sqrt(3/16 - h) and its fellow below 0.
+  // y = x^2 on [0, 1] and y = x / 2 + 1 / 8 - h, of which the roots are 1/4 + sqrt(3/16 - h) and another one below 0.
   const std::vector<Point> parabola{{0, 0}, {0.5, 0}, {1, 1}};
   for (const double h : {0.0, 0.01, 0.1, 0.12}) {
     const std::vector<Point> line{{0, 0.125 - h}, {2, 1.125 - h}};
@@ -64,7 +63,7 @@ TEST_CASE("a parabola and a line meet where the quadratic formula says", "[bound
   }
 }
 
-TEST_CASE("tangency is a short stretch, near misses are none", "[boundary]") {
+TEST_CASE("curves that touch meet along a short stretch, and curves that just miss do not meet", "[boundary]") {
   const std::vector<Point> parabola{{0, 0}, {0.5, 0}, {1, 1}};
   for (const double gap : {-1e-13, 0.0, 1e-13}) {
     const std::vector<Point> tangent{{0, -0.25 - gap}, {1, 0.75 - gap}};  // touches in (1/2, 1/4)
@@ -76,7 +75,7 @@ TEST_CASE("tangency is a short stretch, near misses are none", "[boundary]") {
   CHECK(places(parabola, std::vector<Point>{{0, -0.25 + 1e-10}, {1, 0.75 + 1e-10}}).size() == 2);
 }
 
-TEST_CASE("parts of one curve meet in the ends of what they share", "[boundary]") {
+TEST_CASE("overlapping parts of one curve meet in the ends of the part that they share", "[boundary]") {
   const std::vector<Point> curve{{0, 0}, {0.1, 0.7}, {0.4, 0.9}, {1, 1}};
   std::vector<Point> a(4), b(4);
   bezier_part(curve, 0, 0.7, a);
@@ -87,7 +86,7 @@ TEST_CASE("parts of one curve meet in the ends of what they share", "[boundary]"
     CHECK(std::min(distance(found[0], end), distance(found[1], end)) < 1e-12);
 }
 
-TEST_CASE("collinear segments meet in the very ends of what they share", "[boundary]") {
+TEST_CASE("overlapping segments of one line meet exactly in the ends of the part that they share", "[boundary]") {
   const std::vector<Point> a{{0, 0}, {2, 1}, {4, 2}}, b{{8, 4}, {5, 2.5}, {2, 1}};
   const auto found = places(a, b);
   REQUIRE(found.size() == 2);
@@ -95,7 +94,7 @@ TEST_CASE("collinear segments meet in the very ends of what they share", "[bound
     CHECK(std::min(distance(found[0], end), distance(found[1], end)) == 0);
 }
 
-TEST_CASE("a common end is not reported, what comes after it is", "[boundary]") {
+TEST_CASE("a common end is not reported, other meetings are", "[boundary]") {
   const std::vector<Point> a{{0, 0}, {0.5, 0}, {1, 1}}, b{{0, 0}, {0.5, 0.25}, {1, 0.5}}, c{{0, 0}, {0.5, 0}, {1, 0.5}};
   CommonEnds common;
   common.start_start = true;
@@ -105,7 +104,8 @@ TEST_CASE("a common end is not reported, what comes after it is", "[boundary]") 
   CHECK(places(a, c, common).empty());  // a cusp
 }
 
-TEST_CASE("random curves meet as often as their samples change sides, however they are asked", "[boundary][property]") {
+TEST_CASE("random curves meet as often as their samples change sides, in either order and direction",
+          "[boundary][property]") {
   const int degree = GENERATE(2, 3, 5);
   std::mt19937 random(static_cast<unsigned>(degree));
   std::uniform_real_distribution<double> coordinate(0, 1);

@@ -95,8 +95,8 @@ TEST_CASE("monomials integrate to i! j! k! / (p + 2)!", "[geometry][oracle]") {
   CHECK(integrate_segment(2, ends) == Approx(5));
 }
 
-TEST_CASE("the derivative of a monomial is the textbook's", "[geometry]") {
-  // xi1 xi2^2 + xi3^3, so d/dxi2 - d/dxi1 = 2 xi1 xi2 - xi2^2 and d/dxi3 - d/dxi1 = 3 xi3^2 - xi2^2.
+TEST_CASE("the derivative of a polynomial is the one that calculus gives", "[geometry]") {
+  // The polynomial is xi1 xi2^2 + xi3^3, so d/dxi2 - d/dxi1 = 2 xi1 xi2 - xi2^2 and d/dxi3 - d/dxi1 = 3 xi3^2 - xi2^2.
   const NetLayout& layout = NetLayout::of(3);
   std::vector<double> a(10, 0.0), along_2(6), along_3(6);
   a[index(layout.index(1, 2))] = 1.0 / 3;

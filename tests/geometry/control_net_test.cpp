@@ -21,7 +21,7 @@ std::vector<double> random_rows(int rows, int width, int seed) {
   return values;
 }
 
-/// By the definition sum B_m c_m.
+/// The value of a net by the definition, sum B_m c_m.
 std::vector<double> by_basis(int degree, int width, const std::vector<double>& net, const Barycentric& xi) {
   std::vector<double> basis(index(net_size(degree)));
   bernstein_basis(degree, xi, basis);
@@ -103,7 +103,7 @@ TEST_CASE("a sub-net is the same polynomial on a smaller triangle", "[geometry][
     check_close(value_at(degree, 4, piece, xi), value_at(degree, 4, net, combined(xi, a, b, c)), 1e-12);
 }
 
-TEST_CASE("a sub-net on the corners themselves is the net, permuted, bit for bit", "[geometry]") {
+TEST_CASE("a sub-net on the net's own corners is the net, permuted, bit for bit", "[geometry]") {
   const int degree = GENERATE(range(0, max_degree + 1));
   const NetLayout& layout = NetLayout::of(degree);
   const auto net = random_rows(net_size(degree), 2, degree);
@@ -119,7 +119,7 @@ TEST_CASE("a sub-net on the corners themselves is the net, permuted, bit for bit
   }
 }
 
-TEST_CASE("an insertion keeps the three outer edges bit for bit", "[geometry]") {
+TEST_CASE("inserting a point keeps the three outer edges bit for bit", "[geometry]") {
   const int degree = GENERATE(range(1, max_degree + 1));
   const NetLayout& layout = NetLayout::of(degree);
   const auto net = random_rows(net_size(degree), 3, degree);

@@ -8,12 +8,12 @@
 
 using namespace pliant;
 
-TEST_CASE("a number without a resolution reads back", "[geometry][describe]") {
+TEST_CASE("a number that is described without a resolution reads back as the same double", "[geometry][describe]") {
   for (const double x : {0.1, 1.0 / 3, 1e-150, 123456789.125, -0x1p-1074})
     CHECK(std::strtod(describe_number(x).c_str(), nullptr) == x);
 }
 
-TEST_CASE("a number with a resolution is right to it and has no more digits", "[geometry][describe]") {
+TEST_CASE("a number that is described with a resolution has no digits below it", "[geometry][describe]") {
   CHECK(describe_number(1000000.123456, 1e-3) == "1000000.123");
   CHECK(describe_number(0.123456, 1e-3) == "0.123");
   CHECK(describe_number(1e-9, 1e-3) == "0");
@@ -21,7 +21,7 @@ TEST_CASE("a number with a resolution is right to it and has no more digits", "[
   CHECK(describe_point({1e6 + 0.25, -2}, 1e-2) == "(1000000.25, -2)");
 }
 
-TEST_CASE("numbers that differ look different, with no more digits than that takes", "[geometry][describe]") {
+TEST_CASE("numbers that differ look different, with as few digits as possible", "[geometry][describe]") {
   using Texts = std::vector<std::string>;
   CHECK(describe_apart(std::array{0.25, 1.5}) == Texts{"0.25", "1.5"});
   CHECK(describe_apart(std::array{1e6 + 1, 1e6 + 2}) == Texts{"1000001", "1000002"});

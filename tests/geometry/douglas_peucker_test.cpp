@@ -34,7 +34,7 @@ double deviation(const std::vector<Point>& line, const std::vector<bool>& kept, 
 
 }  // namespace
 
-TEST_CASE("what is kept is within the tolerance of what was", "[geometry][property]") {
+TEST_CASE("every dropped point is within the tolerance of the kept ones", "[geometry][property]") {
   const bool closed = GENERATE(false, true);
   std::mt19937 random(6);
   std::uniform_real_distribution<double> unit(-1, 1);
@@ -53,7 +53,7 @@ TEST_CASE("what is kept is within the tolerance of what was", "[geometry][proper
   }
 }
 
-TEST_CASE("ends stay, points on a line go, and a tolerance of zero keeps every turn", "[geometry]") {
+TEST_CASE("ends are kept, points on a line are dropped, and a tolerance of zero keeps every turn", "[geometry]") {
   const std::vector<Point> line{{0, 0}, {1, 0}, {2, 0}, {3, 1}, {4, 2}};
   CHECK(douglas_peucker(line, false, 0) == std::vector<bool>{true, false, true, false, true});
   CHECK(douglas_peucker(line, false, 10) == std::vector<bool>{true, false, false, false, true});

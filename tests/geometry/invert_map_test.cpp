@@ -26,7 +26,7 @@ double difference(const Barycentric& a, const Barycentric& b) {
   return std::max({std::fabs(a[0] - b[0]), std::fabs(a[1] - b[1]), std::fabs(a[2] - b[2])});
 }
 
-/// Valid and strongly bent: a half ring of inner radius 1, outer 3, cut by its diagonal; quadratic arcs.
+/// A valid, strongly bent element: one half of a half ring with radii 1 and 3 and quadratic arcs, cut by its diagonal.
 std::vector<Point> bent_net() { return {{3, 0}, {0, 3}, {1, 0}, {3, 3}, {0.4, 1.6}, {2, 0}}; }
 
 }  // namespace
@@ -94,7 +94,7 @@ TEST_CASE("subdivision says no to points outside the element", "[geometry][prope
     Box box;
     for (const Point& p : net) box.extend(p);
     CHECK(find_in_element(degree, net, box.high + Point{0.01, 0.01}, 1e-12).answer == SearchAnswer::absent);
-    // Just across the middle of an edge, by its normal.
+    // The point is just outside the middle of an edge, along its normal.
     const Point a = image(degree, net, {0.501, 0.499, 0});
     const Point b = image(degree, net, {0.499, 0.501, 0});
     const Vector outward = -perpendicular(b - a) / distance(a, b);
@@ -129,8 +129,9 @@ TEST_CASE("the answer does not depend on where the element lies nor on its size"
   }
 }
 
-TEST_CASE("elements with a cusp are searched to the cusp's very corner", "[geometry]") {
-  // (s + t, t (s + t)): between the lines y = 0 and the parabola y = x^2, turned so that boxes do not fit.
+TEST_CASE("elements with a cusp are searched up to the corner of the cusp", "[geometry]") {
+  // The map (s + t, t (s + t)) fills the region between the line y = 0 and the parabola y = x^2. It is turned so that
+  // boxes do not fit.
   std::vector<Point> net{{0, 0}, {1, 0}, {1, 1}, {0.5, 0}, {1, 0.5}, {0.5, 0}};
   const auto turned = [](const Point& p) { return Point{0.6 * p.x - 0.8 * p.y, 0.8 * p.x + 0.6 * p.y}; };
   for (Point& p : net) p = turned(p);
@@ -152,7 +153,7 @@ TEST_CASE("elements with a cusp are searched to the cusp's very corner", "[geome
 }
 
 TEST_CASE("elements that lie over themselves have all their points found, and nothing else", "[geometry][property]") {
-  // z^5 around a place just outside: det J > 0, yet the image winds by more than a turn.
+  // The map is z^5 around a point just outside the element: det J > 0, yet the image winds by more than one turn.
   const auto net = power_net(5, {-0x1p-4, -0x1p-4});
   REQUIRE(certify(5, net) == Validity::valid);
   for (const Barycentric& xi : lattice(12))

@@ -29,7 +29,7 @@ double value_of(int degree, const std::vector<double>& net, const Barycentric& x
   return value;
 }
 
-/// det J in rationals at (i, j, k) / n, by differentiating chi term by term.
+/// det J at (i, j, k) / n in rational numbers, by differentiating chi term by term.
 Rational exact_jacobian(int degree, const std::vector<Point>& net, int i, int j, int k) {
   const Rational n = i + j + k;
   const Rational xi[3] = {i / n, j / n, k / n};
@@ -124,7 +124,8 @@ TEST_CASE("det J of (z - c)^p + tilt conj z is the known radial function", "[geo
   }
 }
 
-TEST_CASE("turning the order of the corners turns the sign, rotating it does not", "[geometry][property]") {
+TEST_CASE("det J changes its sign when two corners are exchanged, and stays when corners rotate",
+          "[geometry][property]") {
   const int seed = GENERATE(range(0, 20));
   const int degree = 1 + seed % 5;
   const auto net = random_valid_net(degree, seed);

@@ -26,7 +26,7 @@ TEST_CASE("a flat triangle has shape and angle zero and an infinite radius", "[g
   CHECK_FALSE(is_finite(circumcenter(a, b, c)));
 }
 
-TEST_CASE("circumcentres are as far from all corners, and barycentric coordinates reproduce the point",
+TEST_CASE("circumcentres are equally far from all corners, and barycentric coordinates reproduce the point",
           "[geometry][property]") {
   std::mt19937 random(4);
   std::uniform_real_distribution<double> unit(-1, 1);

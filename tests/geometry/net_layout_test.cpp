@@ -1,4 +1,4 @@
-// tests/geometry/net_layout_test.cpp: control points stand in the documented order, at every degree.
+// tests/geometry/net_layout_test.cpp: control points are in the documented order, at every degree.
 #include "pliant/geometry/net_layout.h"
 
 #include <array>
@@ -8,7 +8,7 @@
 
 using namespace pliant;
 
-TEST_CASE("a net of degree 2 stands in the documented order 200 020 002 110 011 101", "[geometry]") {
+TEST_CASE("a net of degree 2 is in the documented order 200 020 002 110 011 101", "[geometry]") {
   const NetLayout& layout = NetLayout::of(2);
   const std::array<std::array<int, 3>, 6> expected{{{2, 0, 0}, {0, 2, 0}, {0, 0, 2}, {1, 1, 0}, {0, 1, 1}, {1, 0, 1}}};
   for (int n = 0; n < 6; ++n) CHECK(layout.exponents(n) == expected[static_cast<std::size_t>(n)]);

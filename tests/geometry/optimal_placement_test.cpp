@@ -15,7 +15,7 @@
 #include "pliant/geometry/validity/jacobian.h"
 #include "pliant/geometry/validity/validity.h"
 
-// Placement against a search on a grid of places: the star of one control point, everything else fixed.
+// The star of one control point, everything else fixed; placement is compared with a search on a grid of places.
 namespace {
 using namespace pliant;
 using Net = std::vector<Point>;
@@ -62,7 +62,8 @@ struct Star {
   }
 };
 
-/// Bent triangles round a vertex that moves, or one or two that share a point of an edge, or one with an inner point.
+/// Bent triangles around a vertex that moves; or one or two with a point that moves on an edge; or one with an inner
+/// point that moves.
 Star random_star(int degree, unsigned seed, double noise) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> unit(0, 1);
@@ -103,7 +104,7 @@ std::vector<Point> grid(double half, int steps) {
 
 }  // namespace
 
-TEST_CASE("untangling finds a valid place wherever a grid finds one, and hopeless means that it does not",
+TEST_CASE("untangling finds a valid place whenever a grid finds one, and if it says hopeless the grid finds none",
           "[geometry][property]") {
   const int degree = GENERATE(1, 2, 3, 4);
   int placed = 0, hopeless = 0, stuck = 0;
@@ -156,7 +157,7 @@ TEST_CASE("improving reaches the best shape that a grid finds, from any valid st
 }
 
 TEST_CASE("a point that is already best stays bit for bit", "[geometry]") {
-  // An equilateral hexagon's centre.
+  // The point is the centre of an equilateral hexagon.
   Star star{1, {}, {}};
   for (int e = 0; e < 6; ++e) {
     const auto corner = [](int k) {
@@ -170,8 +171,8 @@ TEST_CASE("a point that is already best stays bit for bit", "[geometry]") {
   CHECK(result.value == Approx(1));
 }
 
-TEST_CASE("a corner that runs straight on is hopeless whatever moves", "[geometry]") {
-  // Degree 2: edges 12 and 31 leave corner 1 in opposite directions.
+TEST_CASE("a corner with an angle of 180 degrees is hopeless if the moving point cannot change it", "[geometry]") {
+  // In this element of degree 2, edges 12 and 31 leave corner 1 in opposite directions.
   const Net net{{0, 0}, {1, 1}, {-1, 1}, {0.5, 0}, {0, 1}, {-0.5, 0}};
   const PlacementElement element{net, 4};
   CHECK(untangle_point(2, std::span(&element, 1), {0, 1}).outcome == Placement::Outcome::hopeless);
@@ -193,7 +194,7 @@ TEST_CASE("placement does not depend on the unit of length", "[geometry]") {
   CHECK(scaled_best.value == Approx(best.value));
 }
 
-TEST_CASE("the control mesh's measures are optimal on the control mesh", "[geometry][property]") {
+TEST_CASE("placement by the measures of the control mesh is optimal on the control mesh", "[geometry][property]") {
   const int degree = GENERATE(1, 2, 3);
   for (unsigned seed = 0; seed < 30; ++seed) {
     CAPTURE(degree, seed);
@@ -230,7 +231,7 @@ TEST_CASE("the control mesh's measures are optimal on the control mesh", "[geome
   }
 }
 
-TEST_CASE("a flat element, whose det J rounding alone decides, is given up soon", "[geometry]") {
+TEST_CASE("a flat element, the sign of whose det J is all rounding, is given up soon", "[geometry]") {
   const Net flat{{-0.16049544091598084, 0.24019840175639592},  {-0.24074316137397134, 0.36029760263459387},
                  {-0.080247720457990335, 0.12009920087819796}, {-0.20061930114497609, 0.30024800219549486},
                  {-0.16049544091598084, 0.2401984017563959},   {-0.12037158068698559, 0.18014880131729694}};

@@ -1,5 +1,4 @@
-// tests/geometry/placement_oracle_test.cpp: best places of one point are the optima that long double and another method
-// find.
+// tests/geometry/placement_oracle_test.cpp: best places of one point are the optima that another method finds.
 #include "support/placement_oracle.h"
 
 #include <catch2/catch.hpp>
@@ -8,7 +7,7 @@
 
 #include "pliant/geometry/placement/optimal_placement.h"
 
-// Places against optima that long double and another method find. Values are compared at the place itself.
+// The other method cuts polygons, in long double. Values are compared at the place itself.
 namespace {
 using namespace pliant;
 using samples::PlacementOracle;
@@ -16,13 +15,13 @@ using Outcome = Placement::Outcome;
 using Program = Placement::Program;
 
 constexpr double wanted = 1e-10;
-constexpr double reach = 4, far = 200;  // half extents: what untangle_point promises, and enough for tau
+constexpr double reach = 4, far = 200;  // in half extents: how far untangle_point looks, and far enough for tau
 
 struct Deviations {
-  double coefficient = 0;  // of the least coefficient from its optimum
-  double shape = 0;        // of tau at the place from its optimum
-  double bound = 0;        // of the value from tau at the place
-  double control = 0;      // of both control mesh programs
+  double coefficient = 0;  // how far the least coefficient is from its optimum
+  double shape = 0;        // how far tau at the place is from its optimum
+  double bound = 0;        // how far the returned value is from tau at the place
+  double control = 0;      // how far both programs of the control mesh are from their optima
   long placed = 0, hopeless = 0, stuck = 0, missed = 0, no_shape = 0;
 
   std::string text() const {
@@ -55,10 +54,10 @@ void compare_true_measures(const samples::PlacementStar& star, const PlacementOr
   if (untangled.program != Program::area) FAIL_CHECK("untangling is an area program");
   if (untangled.outcome == Outcome::placed && !moved(star, untangled.place).is_valid()) FAIL_CHECK("not valid");
   if (untangled.outcome == Outcome::hopeless && shape > 0) FAIL_CHECK("hopeless, with a tau of " << shape);
-  // Where det J is 0 but for rounding no certificate can be had, whatever tau is.
+  // Where det J is 0 up to rounding there can be no certificate, whatever tau is.
   const auto is_possible = [&] { return shape > wanted && oracle.best_area(far) > 1e-12L; };
   worst.missed += untangled.outcome == Outcome::stuck && is_possible();
-  // Cuts raise the optimum: then it is the least coefficient that bounds it.
+  // Cuts raise the optimum above the least coefficient, which is then only a lower bound of it.
   if (untangled.outcome != Outcome::hopeless) {
     const double gap = coefficient - untangled.value, off = coefficient > 0 ? std::fabs(gap) : gap;
     worst.coefficient = std::max(worst.coefficient, off);
@@ -102,7 +101,7 @@ void compare_control_mesh(const samples::PlacementStar& star, const PlacementOra
   if (std::fabs(improved.value - reached) > wanted) FAIL_CHECK("tau " << reached << ", claimed " << improved.value);
   if (star.is_valid() && reached < static_cast<double>(oracle.control_shape_at(star.place())) - wanted)
     FAIL_CHECK("worse than the start");
-  // Where the best place is certified it is taken, but not what is nearly as good where it is not.
+  // If the best place is certified it is taken; if not, nearly as good places are not looked for.
   if (shape < wanted || !moved(star, best.place).is_valid()) return;
   worst.control = std::max(worst.control, std::fabs(shape - reached));
   if (std::fabs(shape - reached) > wanted) FAIL_CHECK("tau " << reached << ", best " << shape);

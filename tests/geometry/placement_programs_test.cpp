@@ -1,4 +1,4 @@
-// tests/geometry/placement_programs_test.cpp: the programs under optimal placement find the optimum, and prove it.
+// tests/geometry/placement_programs_test.cpp: the two programs that optimal placement solves find the optimum.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -48,7 +48,7 @@ TEST_CASE("the greatest least affine function is found, with a proof", "[geometr
   for (int trial = 0; trial < 300; ++trial) {
     CAPTURE(trial);
     std::vector<AffineFunction> functions(1 + random() % 40);
-    // Every other time from few slopes, so that optima are not unique.
+    // Every other time there are only few slopes, so that optima are not unique.
     for (AffineFunction& f : functions)
       f = trial % 2
               ? AffineFunction{unit(random), unit(random), unit(random)}
@@ -71,8 +71,8 @@ TEST_CASE("the greatest least affine function is found, with a proof", "[geometr
   }
 }
 
-TEST_CASE("of several optima the nearest to the origin is taken", "[geometry]") {
-  // The strip |x - 1| <= 0.5 is as good everywhere along y.
+TEST_CASE("if there are several optima, the nearest to the origin is taken", "[geometry]") {
+  // In the strip |x - 1| <= 0.5 all places are equally good.
   const std::vector<AffineFunction> strip{{1, 0, -0.5}, {-1, 0, 1.5}};
   const AffineOptimum best = maximise_least(strip, 4);
   CHECK(best.value == Approx(0.5));
@@ -102,7 +102,7 @@ TEST_CASE("the greatest least shape is found", "[geometry][property]") {
   }
 }
 
-TEST_CASE("opposite shapes have no place", "[geometry]") {
+TEST_CASE("shapes that point in opposite directions have no good place in common", "[geometry]") {
   const std::vector<ShapeFunction> opposite{{{0, 0}, {1, 0}}, {{-3, 0}, {-1, 0}}};
   CHECK_FALSE(maximise_least(opposite));
 }

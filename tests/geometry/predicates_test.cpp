@@ -48,7 +48,7 @@ class Random {
 
 }  // namespace
 
-TEST_CASE("orientation agrees with rationals, nearly on a line too", "[geometry][property]") {
+TEST_CASE("orientation agrees with rational arithmetic, also for points nearly on a line", "[geometry][property]") {
   Random random(1);
   for (int i = 0; i < 3000; ++i) {
     const double shift = i % 2 ? 0 : 1e6;
@@ -61,7 +61,7 @@ TEST_CASE("orientation agrees with rationals, nearly on a line too", "[geometry]
   }
 }
 
-TEST_CASE("in-circle agrees with rationals, nearly on a circle too", "[geometry][property]") {
+TEST_CASE("in-circle agrees with rational arithmetic, also for points nearly on a circle", "[geometry][property]") {
   Random random(2);
   for (int i = 0; i < 1500; ++i) {
     const Point centre = random.point(i % 3 ? 1 : 1e4);
@@ -85,7 +85,7 @@ TEST_CASE("four corners of a rectangle are on one circle, exactly", "[geometry]"
   CHECK(orient2d({0.1, 0.1}, {0.2, 0.2}, {0.3, 0.3}) == 0);
 }
 
-TEST_CASE("in-circle is exact in grids, and for points a bit beside them", "[geometry][property]") {
+TEST_CASE("in-circle is exact on grids, and for points slightly off a grid", "[geometry][property]") {
   Random random(4);
   constexpr std::array spacings{1.0, 0.1, 1e-3, 1.0 / 3, 1e200, 1e-150, 12345.678};
   for (int i = 0; i < 20000; ++i) {

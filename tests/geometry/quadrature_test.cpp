@@ -8,7 +8,7 @@ using namespace pliant;
 
 namespace {
 
-/// Of xi1^a xi2^b xi3^c over the unit right triangle, a! b! c! / (a + b + c + 2)!.
+/// The integral of xi1^a xi2^b xi3^c over the unit right triangle, a! b! c! / (a + b + c + 2)!.
 double exact_integral(int a, int b, int c) {
   return std::exp(std::lgamma(a + 1) + std::lgamma(b + 1) + std::lgamma(c + 1) - std::lgamma(a + b + c + 3));
 }
@@ -23,7 +23,7 @@ TEST_CASE("triangle rules integrate every monomial of their degree", "[geometry]
     const auto rule = triangle_rule(degree);
     for (int a = 0; a <= degree; ++a) {
       for (int b = 0; a + b <= degree; ++b) {
-        const int c = degree - a - b;  // homogeneous ones span all of lower degree as well
+        const int c = degree - a - b;  // homogeneous monomials span all polynomials of lower degree as well
         double sum = 0;
         for (const auto& [xi, weight] : rule) sum += weight * power(xi[0], a) * power(xi[1], b) * power(xi[2], c);
         REQUIRE(sum == Approx(exact_integral(a, b, c)).epsilon(1e-12).margin(1e-17));
@@ -43,7 +43,7 @@ TEST_CASE("triangle rules have inner points, positive weights and barycentric co
   }
 }
 
-TEST_CASE("low triangle rules are the small ones", "[geometry]") {
+TEST_CASE("triangle rules of low degree have as few points as possible", "[geometry]") {
   CHECK(triangle_rule(1).size() == 1);
   CHECK(triangle_rule(2).size() == 3);
   CHECK(triangle_rule(4).size() == 6);

@@ -22,7 +22,7 @@ TEST_CASE("a sequence is the vector that the same insertions and erasures make, 
     return sequence.size() == plain.size() && sequence.to_vector() == plain &&
            std::equal(sequence.begin(), sequence.end(), plain.begin(), plain.end());
   };
-  for (const unsigned grows : {9u, 1u, 5u}) {  // of ten changes so many insert
+  for (const unsigned grows : {9u, 1u, 5u}) {  // how many of ten changes are insertions
     for (int k = 0; k < 6000; ++k) {
       const bool inserts = plain.empty() || random() % 10 < grows;
       const std::size_t most = plain.size() - (inserts ? 0 : 1);
@@ -49,8 +49,9 @@ TEST_CASE("a sequence is the vector that the same insertions and erasures make, 
   }
 }
 
-// Moving all knots behind each change took minutes here.
-TEST_CASE("a curve of a million spans gains and loses a hundred thousand knots, few edits each", "[geometry]") {
+// This took minutes when each change moved all knots after it.
+TEST_CASE("a curve of a million spans gains and loses a hundred thousand knots, with few edits for each",
+          "[geometry]") {
   const bool closed = GENERATE(false, true);
   CAPTURE(closed);
   constexpr int spans = 1000000, changes = 50000, p = 2;
@@ -73,7 +74,7 @@ TEST_CASE("a curve of a million spans gains and loses a hundred thousand knots, 
     curve.insert_knot(static_cast<double>(k * 7919LL % spans) + 0.5, &edits);
     note();
   }
-  for (int k = 0; k < changes; ++k) {  // from the start: on a closed curve each is the first break
+  for (int k = 0; k < changes; ++k) {  // from the start, so that on a closed curve each is the first break in turn
     REQUIRE(curve.remove_break(curve.closed() ? curve.first_parameter() : curve.span_end(0), &edits));
     note();
   }

@@ -1,4 +1,4 @@
-// tests/geometry/shape_bounds_test.cpp: the least shape of an element is enclosed, and attained where it says.
+// tests/geometry/shape_bounds_test.cpp: the least shape of an element is between its bounds, and `worst` attains it.
 #include "pliant/geometry/placement/shape_bounds.h"
 
 #include <catch2/catch.hpp>
@@ -18,7 +18,8 @@ double tau_at(int degree, const std::vector<Point>& net, const Barycentric& xi) 
   for (const Point& p : net) rows.insert(rows.end(), {p.x, p.y});
   std::vector<double> value(2), u(2), v(2);
   evaluate_net(degree, 2, rows, xi, value, u, v);
-  // The image of a small equilateral triangle: its edges are u, and -u/2 +- sqrt(3)/2 of the other column.
+  // A small equilateral triangle has the edges u, and -u/2 plus or minus sqrt(3)/2 times the other column, in the
+  // image.
   return triangle_shape({0, 0}, {u[0], u[1]}, {v[0], v[1]});
 }
 
@@ -36,7 +37,7 @@ std::vector<Point> random_net(int degree, unsigned seed, double noise) {
 
 }  // namespace
 
-TEST_CASE("the least shape is enclosed, and attained where it says", "[geometry][property]") {
+TEST_CASE("the least shape is between its bounds, and the worst point attains the upper one", "[geometry][property]") {
   const int degree = GENERATE(1, 2, 3, 4, 5);
   for (unsigned seed = 0; seed < 60; ++seed) {
     CAPTURE(degree, seed);

@@ -26,7 +26,7 @@ TEST_CASE("a corner that crosses the opposite edge is stopped at the crossing", 
   CAPTURE(degree, height);
   const auto from = straight_net(degree, {0, 0}, {1, 0}, {0, 1});
   const auto to = straight_net(degree, {0, 0}, {1, 0}, {0, -height});
-  const double exact = 1 / (1 + height);  // where y is 0
+  const double exact = 1 / (1 + height);  // when y is 0
   const double f = safe_fraction(degree, from, to);
   CHECK(f <= exact);
   CHECK(f >= exact - 1e-3);
@@ -66,7 +66,7 @@ TEST_CASE("an element that is not valid has no safe motion", "[geometry]") {
   CHECK(safe_fraction(2, bad, bad) == 0);
 }
 
-TEST_CASE("up to the safe fraction elements are valid, and just behind it one is not", "[geometry][property]") {
+TEST_CASE("an element is valid up to the safe fraction, and not valid soon after it", "[geometry][property]") {
   int stopped = 0;
   for (int seed = 0; seed < 400; ++seed) {
     const int degree = 1 + seed % 4;
@@ -104,7 +104,7 @@ TEST_CASE("the safe fraction does not depend on scale", "[geometry][property]") 
 }
 
 TEST_CASE("an element with a cusp moves, though its corner is never valid", "[geometry]") {
-  // Between the parabola y = x^2 / 2 and its tangent y = 0.
+  // The element is between the parabola y = x^2 / 2 and its tangent y = 0.
   const std::vector<Point> from{{0, 0}, {1, 0}, {1, 0.5}, {0.5, 0}, {1, 0.25}, {0.5, 0}};
   auto moved = from;
   for (Point& p : moved) p = Point{0.6 * p.x - 0.3 * p.y, 0.3 * p.x + 0.6 * p.y} + Point{0.1, 0.7};
@@ -112,7 +112,7 @@ TEST_CASE("an element with a cusp moves, though its corner is never valid", "[ge
   CHECK(safe_fraction(2, from, moved, 0) == 1);
   CHECK(safe_fraction(2, from, moved, 1) == 0);
   CHECK(safe_fraction(2, from, from, 0) == 1);
-  auto crossed = from;  // the parabola turns over at half way
+  auto crossed = from;  // half way to it the parabola crosses its tangent
   for (const std::size_t n : {2, 4}) crossed[n].y = -from[n].y;
   const double f = safe_fraction(2, from, crossed, 0);
   CHECK(f <= 0.5);

@@ -1,4 +1,4 @@
-// tests/geometry/turning_angle_test.cpp: how much polygons turn whose angles are known.
+// tests/geometry/turning_angle_test.cpp: polygons with known angles turn by their sum.
 #include "pliant/geometry/spline/turning_angle.h"
 
 #include <array>

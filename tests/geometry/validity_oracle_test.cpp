@@ -15,7 +15,7 @@ using namespace pliant::samples;
 
 namespace {
 
-// A release build takes every element, a million; the sanitizers, some ten times slower, every tenth.
+// A release build tests every element, which makes a million; sanitizers, which are some ten times slower, every tenth.
 #if defined(__has_feature)
 #if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
 #define PLIANT_SANITIZED
@@ -41,7 +41,7 @@ std::vector<Point> in_doubles(const IntegerNet& net, int exponent = 0) {
 
 Validity expected(int sign) { return sign > 0 ? Validity::valid : sign < 0 ? Validity::invalid : Validity::degenerate; }
 
-/// How many elements there were of each kind, and that not one was judged wrongly.
+/// Counts the elements of each kind, and checks that not one was judged wrongly.
 class Tally {
  public:
   void compare(int degree, const IntegerNet& net, const Truth& truth, double minimum, std::uint64_t seed) {
@@ -60,14 +60,14 @@ class Tally {
     disagree(degree, truth.sign, verdict, seed);
   }
 
-  /// The truth is what bisection of integers proves, at first in short ones.
+  /// The truth is what bisection in integers proves, in short ones if they suffice.
   void compare_enclosed(int degree, const IntegerNet& net, std::uint64_t seed) {
     const IntegerJacobian<Wide> jacobian(degree, net);
     const auto found = jacobian.enclose(jacobian.depth_of(127));
     if (!found.is_decided() || !judge(jacobian, found.sign, degree, net)) compare_long(degree, net, seed);
   }
 
-  /// The same of long coordinates.
+  /// The same for long coordinates.
   void compare_long(int degree, const IntegerNet& net, std::uint64_t seed) {
     const IntegerJacobian<Fixed<1024>> jacobian(degree, net);
     const auto found = jacobian.enclose(40);
@@ -125,13 +125,14 @@ class Tally {
   std::map<std::pair<int, Place>, int> count_;
 };
 
-/// At least a share of the elements, whatever the stride.
+/// Checks that there were enough elements with a minimum of this sign at such a place.
 void check_populated(const Tally& tally, int sign, Place place, int at_least) {
   CAPTURE(sign, static_cast<int>(place));
   CHECK(tally.count(sign, place) >= at_least / stride);
 }
 
-/// Long coordinates: about 2^46, and a few last places of that off an element of small integers.
+/// An element with long coordinates: one of small integers, enlarged to about 2^46, and then changed in a few last
+/// places.
 IntegerNet nearly(IntegerNet net, Draw& draw) {
   for (auto& point : net)
     for (std::int64_t& x : point) {
@@ -216,15 +217,14 @@ TEST_CASE("400,000 elements of degree 3 to 6 have the sign of their exact minimu
   CHECK(random.disagreements() + known.disagreements() == 0);
 }
 
-TEST_CASE("a zero at a cusp's corner alone is forgiven there, and told apart from one that is crossed",
-          "[geometry][oracle]") {
+TEST_CASE("at the corner of a cusp a zero of det J is forgiven, and a change of sign is not", "[geometry][oracle]") {
   const int degree = GENERATE(2, 3, 4, 5, 6);
   for (std::uint64_t seed = 0; seed < 800; seed += stride) {
     CAPTURE(degree, seed);
     Draw draw(seed);
     const Triangle t = random_triangle(draw, 4, 1);
     const int corner = draw.integer(0, 2);
-    const auto power = [&](const Gauss& tilt) {  // as tilted_power, with its root at the corner
+    const auto power = [&](const Gauss& tilt) {  // like tilted_power, with the root at the corner
       return in_doubles(net_of(degree, t, [&](const std::vector<Gauss>& u) -> std::array<std::int64_t, 2> {
         Gauss product(degree, 0), sum(0, 0);
         for (const Gauss& z : u) product *= z - t[index(corner)], sum += std::conj(z);

@@ -62,8 +62,9 @@ TEST_CASE("the certificate of a quadratic element is the sign of its exact minim
   }
   for (const Place place : {Place::corner, Place::edge, Place::face}) CHECK(count[{Validity::invalid, place}] > 50);
   for (const Place place : {Place::corner, Place::edge}) CHECK(count[{Validity::valid, place}] > 50);
-  // There is no valid one with its minimum inside: det is a form of signature (2, 2) on matrices; where it has an inner
-  // minimum, J moves in a positive definite plane and stands, at the minimum, orthogonal to it, so det J <= 0 there.
+  // No valid element has its minimum inside. det is a form of signature (2, 2) on matrices. If it has an inner minimum,
+  // J moves in a plane on which the form is positive definite, and at the minimum J is orthogonal to that plane, so
+  // det J <= 0 there.
   CHECK(count[{Validity::valid, Place::face}] == 0);
   CHECK(count[{Validity::degenerate, Place::corner}] > 50);
   CHECK(count[{Validity::degenerate, Place::edge}] > 5);
@@ -79,7 +80,7 @@ TEST_CASE("quadratic elements of full-length doubles agree with the exact minimu
   }
 }
 
-TEST_CASE("quadratic slivers of a few last places are decided as exactly", "[geometry][oracle]") {
+TEST_CASE("quadratic slivers as thin as a few last places are decided exactly, too", "[geometry][oracle]") {
   std::map<Validity, int> count;
   for (int seed = 0; seed < 2000; ++seed) {
     CAPTURE(seed);
@@ -127,19 +128,19 @@ TEST_CASE("cubic and quartic certificates are never contradicted by exact values
 
 TEST_CASE("a minimum of exactly zero is degenerate wherever it is, and one unit lower invalid", "[geometry][oracle]") {
   const int degree = GENERATE(2, 3, 4);
-  // inside, on each edge, at a corner; dyadic, so that the control points are exact
+  // Places inside, on each edge and at a corner; they are dyadic, so that the control points are exact.
   const std::complex<double> centre =
       GENERATE(std::complex<double>(0.25, 0.375), std::complex<double>(0.625, 0), std::complex<double>(0, 0.125),
                std::complex<double>(0.375, 0.625), std::complex<double>(0, 0));
   CAPTURE(degree, centre);
   CHECK(certify(degree, power_net(degree, centre)) == Validity::degenerate);
-  // Negative in a disk of radius r with p r^(p - 1) = tilt only: corners and edges, or all but the centre, stay
-  // positive.
+  // det J is negative only in a disk of radius r with p r^(p - 1) = tilt: corners and edges, or all but the centre,
+  // stay positive.
   CHECK(certify(degree, power_net(degree, centre, 0x1p-20)) == Validity::invalid);
 }
 
 TEST_CASE("a minimum far below the rounding errors is found positive", "[geometry][oracle]") {
-  // The zero of det J is outside by 2^-30: the minimum is p^4 2^(-60 (p - 1)).
+  // The zero of det J is outside by 2^-30, so the minimum is p^4 2^(-60 (p - 1)).
   CHECK(certify(2, power_net(2, {0.375, -0x1p-30})) == Validity::valid);
   CHECK(certify(2, power_net(2, {0.375, 0x1p-30})) == Validity::degenerate);
   CHECK(certify(2, power_net(2, {0.375, -0x1p-30}, 0x1p-28)) == Validity::invalid);
@@ -201,7 +202,7 @@ TEST_CASE("a reflex angle between smoothly joined edges is never valid", "[geome
 }
 
 TEST_CASE("a cusp's corner is forgiven there and nowhere else", "[geometry]") {
-  // Between the parabola y = x^2 / 2 and its tangent y = 0, which meet at corner 0 with angle 0.
+  // The element is between the parabola y = x^2 / 2 and its tangent y = 0, which meet at corner 0 with angle 0.
   const std::vector<Point> cusp{{0, 0}, {1, 0}, {1, 0.5}, {0.5, 0}, {1, 0.25}, {0.5, 0}};
   CHECK(certify(2, cusp) == Validity::degenerate);
   CHECK(certify_cusp(2, cusp, 0) == Validity::valid);
@@ -223,7 +224,7 @@ TEST_CASE("a cusp's corner is forgiven there and nowhere else", "[geometry]") {
 }
 
 TEST_CASE("cusps of higher degree are certified", "[geometry]") {
-  // The same region, elevated exactly: multiples of 12 keep the control points integers.
+  // The same region is elevated exactly: with multiples of 12 the control points stay integers.
   const NetLayout& layout = NetLayout::of(3);
   const std::vector<Point> low = scaled({{0, 0}, {1, 0}, {1, 0.5}, {0.5, 0}, {1, 0.25}, {0.5, 0}}, 12);
   std::vector<Point> net(10);
@@ -240,7 +241,8 @@ TEST_CASE("cusps of higher degree are certified", "[geometry]") {
   CHECK(certify_cusp(3, net, 1) == Validity::degenerate);
 }
 
-TEST_CASE("quadratic cusps agree with the certificate of the rest", "[geometry][property]") {
+TEST_CASE("forgiving a corner of a quadratic element changes the certificate only if det J is 0 there",
+          "[geometry][property]") {
   // Forgiving a corner changes nothing where det J is not zero there.
   int cusps = 0;
   for (int seed = 0; seed < 5000; ++seed) {

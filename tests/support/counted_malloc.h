@@ -1,9 +1,9 @@
-// tests/support/counted_malloc.h: counts what malloc is asked for; for one source of a program.
+// tests/support/counted_malloc.h: counts the calls of malloc; to be included by one source of a program.
 #pragma once
 #include <atomic>
 #include <cstdlib>
 
-// `new` and Eigen ask it, too. Sanitizers have a malloc of their own.
+// `new` and Eigen call malloc, too. Sanitizers have a malloc of their own, which is not counted.
 #if defined(__has_feature)
 #if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
 #define PLIANT_OWN_MALLOC

@@ -1,4 +1,4 @@
-// tests/support/cut_polygon.h: a convex function's least, by cutting a polygon at its centre, in long double.
+// tests/support/cut_polygon.h: the least value of a convex function, by cutting polygons in two, in long double.
 #pragma once
 #include <algorithm>
 #include <array>
@@ -15,8 +15,8 @@ struct Place {
   Real x, y;
 };
 
-/// What a place costs at most falls by: cost(q') >= cost + slope . (q' - q). Not allowed: no q' with cost + slope . (q'
-/// - q) > 0 is.
+/// The cost of a place q, with a lower bound everywhere: cost(q') >= cost + slope . (q' - q). If q is not allowed, no
+/// place q' with cost + slope . (q' - q) > 0 is allowed either.
 struct Cost {
   Real cost;
   Place slope;
@@ -24,12 +24,13 @@ struct Cost {
 };
 
 struct LeastCost {
-  Real cost, sure;  ///< found; nothing is below `sure`
+  Real cost, sure;  ///< the least cost that was found; no cost is below `sure`
   Place place;
   bool is_found;
 };
 
-/// Minimises a convex function over a square.
+/// Minimises a convex function over a square. The polygon that may contain the best place is cut at its centre of
+/// gravity, again and again, until the bound is within `width` of the best cost.
 template <class CostAt>
 LeastCost least_cost(const Place& middle, Real half, Real width, CostAt cost_at) {
   static constexpr Real infinity = std::numeric_limits<Real>::infinity();

@@ -1,4 +1,4 @@
-// tests/support/exact_elements.h: random elements of integers, of which many have a known least det J.
+// tests/support/exact_elements.h: random elements with integer control points, many with a known least det J.
 #pragma once
 #include <algorithm>
 #include <array>
@@ -12,7 +12,7 @@
 
 namespace pliant::samples {
 
-/// Numbers from a seed, at no cost to begin with (SplitMix64).
+/// Random numbers from a seed (SplitMix64, which costs nothing to start).
 class Draw {
  public:
   explicit Draw(std::uint64_t seed) : state_(seed * 0xD1342543DE82EF95u) {}
@@ -29,13 +29,14 @@ class Draw {
   std::uint64_t state_;
 };
 
+/// An element and what is known of its min det J.
 struct KnownElement {
   IntegerNet net;
   Truth truth;
-  double minimum = 0;  ///< |min det J|, or less; only where the sign is not 0
+  double minimum = 0;  ///< a lower bound of |min det J|, if its sign is not 0
 };
 
-/// The elementary symmetric sum of k of these numbers.
+/// The elementary symmetric polynomial of degree k in these numbers.
 template <class T>
 T elementary(const std::vector<T>& values, int k) {
   std::vector<T> sums(index(k) + 1);
@@ -47,16 +48,18 @@ T elementary(const std::vector<T>& values, int k) {
 
 inline std::int64_t choose(int n, int k) { return k == 0 ? 1 : choose(n, k - 1) * (n - k + 1) / k; }
 
-/// A number that every (p over k), p <= 6, divides.
+/// A multiple of every binomial coefficient (p choose k) with p <= 6.
 inline constexpr std::int64_t blossom_scale = 60;
-/// blossom_scale times the blossom of s^k of degree p; the control points of s^k are its values at corners of s.
+/// blossom_scale times the blossom of s^k, as a polynomial of degree p. Its values at corners of s are the control
+/// points of s^k.
 template <class T>
 T blossom_of_power(int k, const std::vector<T>& arguments) {
   const int p = static_cast<int>(arguments.size());
   return elementary(arguments, k) * T(blossom_scale / choose(p, k));
 }
 
-/// The net whose control points are blossom(arguments), the arguments corners of any type.
+/// The net of the polynomial with this blossom: each control point is the blossom at corners, as often as its exponents
+/// say.
 template <class Corner, class Blossom>
 IntegerNet net_of(int p, const std::array<Corner, 3>& corners, Blossom blossom) {
   const NetLayout& layout = NetLayout::of(p);
@@ -83,7 +86,7 @@ inline Triangle random_triangle(Draw& draw, int range, int unit) {
   return t;
 }
 
-/// Is r outside (1), or in the triangle (0), and there at a corner, on an edge or inside?
+/// Where r is: sign 1 outside of the triangle, or 0 in it, and then at a corner, on an edge or inside.
 inline Truth location(const Triangle& t, const Gauss& r) {
   int zeros = 0;
   for (std::size_t e = 0; e < 3; ++e) {
@@ -94,7 +97,7 @@ inline Truth location(const Triangle& t, const Gauss& r) {
   return {0, zeros == 2 ? Place::corner : zeros == 1 ? Place::edge : Place::face};
 }
 
-/// A corner, a quarter of an edge (the triangle's coordinates being multiples of 4), or any integer point about.
+/// A corner, a point at quarters of an edge (corners have multiples of 4 as coordinates), or any integer point nearby.
 inline Gauss random_root(Draw& draw, const Triangle& t, int range) {
   const std::size_t e = index(draw.integer(0, 2));
   const int kind = draw.integer(0, 7);
@@ -103,7 +106,7 @@ inline Gauss random_root(Draw& draw, const Triangle& t, int range) {
   return Gauss(draw.integer(-range, range), draw.integer(-range, range));
 }
 
-/// chi(z) = 2^k p (z - r)^p + p tilt conj(z) on a triangle of the complex plane: with n = p - 1,
+/// The element chi(z) = 2^k p (z - r)^p + p tilt conj(z) on a triangle of the complex plane. With n = p - 1 its
 /// det J = p^2 (4^k p^2 |z - r|^(2 n) - |tilt|^2) (twice the triangle's area), which grows with the distance to r.
 inline KnownElement tilted_power(int p, Draw& draw) {
   const Triangle t = random_triangle(draw, 2, 4);
@@ -117,7 +120,7 @@ inline KnownElement tilted_power(int p, Draw& draw) {
     product += tilt * sum;
     return {product.real(), product.imag()};
   });
-  // The sign of 4^k p^2 (above / below)^n - |tilt|^2, above / below the square of a distance.
+  // The sign of 4^k p^2 (above / below)^n - |tilt|^2, where above / below is the square of a distance.
   using Long = Fixed<512>;
   const auto sign_at = [&](std::int64_t above, std::int64_t below) {
     Long left = Long(factor) * factor * (p * p), right = std::norm(tilt);
@@ -135,11 +138,12 @@ inline KnownElement tilted_power(int p, Draw& draw) {
   if (location(t, r).sign == 0)
     result.minimum = static_cast<double>(p * p * std::norm(tilt) * twice_area(t));
   else
-    result.minimum = HUGE_VAL;  // not known: no "degenerate" is taken for it
+    result.minimum = HUGE_VAL;  // it is not known, so that "degenerate" always is a wrong answer
   return result;
 }
 
-/// A complex polynomial with det J = |f'|^2 (twice the triangle's area), the p - 1 roots of f' any integer points.
+/// A complex polynomial f, so that det J = |f'|^2 (twice the triangle's area); the p - 1 roots of f' are integer
+/// points.
 inline KnownElement many_roots(int p, Draw& draw) {
   const Triangle t = random_triangle(draw, 1, 4);
   std::vector<Gauss> derivative{Gauss(1, 0)};  // coefficients, lowest first
@@ -161,9 +165,9 @@ inline KnownElement many_roots(int p, Draw& draw) {
   return result;
 }
 
-/// chi = (U(l) + b l m, m), l and m linear forms with m = 0 on edge 01: det J is a multiple of U'(l) + b m,
-/// U'(s) = 2^k (a s - r)^q + c, b about 2^k. Where a l = r somewhere on edge 01, its minimum is c; for b = 0 it is so
-/// on a line.
+/// The element chi = (U(l) + b l m, m), where l and m are linear forms with m = 0 on edge 01. Its det J is a multiple
+/// of U'(l) + b m, with U'(s) = 2^k (a s - r)^q + c and b about 2^k. The minimum of this is c, at the point of edge 01
+/// with a l = r, and for b = 0 on a whole line.
 inline KnownElement strip(int p, Draw& draw) {
   using Forms = std::array<std::int64_t, 2>;  // l, m
   std::array<Forms, 3> corners;
@@ -176,7 +180,7 @@ inline KnownElement strip(int p, Draw& draw) {
   const int q = p >= 5 && draw.one_in(2) ? 4 : 2;
   const std::int64_t a = q == 2 && draw.one_in(2) ? 3 : 1;
   const std::int64_t r = draw.integer(static_cast<int>(a * corners[0][0]), static_cast<int>(a * corners[1][0]));
-  // Minima along a line are for a few: they are the slowest to decide, and where c is small, not decided at all.
+  // Few elements have their minimum on a line: these are the slowest to decide, or, if c is small, are not decided.
   const bool is_line = draw.one_in(50);
   const std::int64_t factor = std::int64_t{1} << draw.integer(0, is_line ? 16 : 24);
   const std::int64_t b = is_line ? 0 : factor * draw.integer(1, 3);
@@ -213,7 +217,7 @@ inline KnownElement strip(int p, Draw& draw) {
   return result;
 }
 
-/// The same after an affine map of the plane that keeps the orientation.
+/// Applies a random affine map of the plane that keeps the orientation.
 inline void map_affinely(KnownElement& element, Draw& draw) {
   std::int64_t m[4];
   do
@@ -226,8 +230,8 @@ inline void map_affinely(KnownElement& element, Draw& draw) {
   element.minimum *= static_cast<double>(m[0] * m[3] - m[1] * m[2]);
 }
 
-/// The same after shears in turn, until coordinates are as long as doubles hold: det J stays what it was, to the last
-/// unit, of products of 100 bits that cancel.
+/// Applies shears in x and in y in turn, until coordinates are as long as doubles can hold. det J stays exactly as it
+/// was, but is now a sum of products of 100 bits that cancel.
 inline void shear_far(IntegerNet& net, Draw& draw) {
   std::int64_t m[2][2] = {{1, 0}, {0, 1}};
   std::int64_t extent = 1;
@@ -245,8 +249,8 @@ inline void shear_far(IntegerNet& net, Draw& draw) {
   }
 }
 
-/// Some control points near the origin, the others far, all on one ray, each exact in doubles, their differences not:
-/// so the signs that floating point gives are noise.
+/// A net with some control points near the origin and the others far away, all of these on one ray. The points are
+/// doubles, but their differences are not, so the signs that floating point gives are noise.
 inline IntegerNet unbalanced_net(int p, Draw& draw) {
   const auto mantissa = [&] {
     return (std::int64_t{1} << 52) + (std::int64_t{draw.integer(0, 1 << 25)} << 26) + draw.integer(0, 1 << 26);
@@ -263,8 +267,8 @@ inline IntegerNet unbalanced_net(int p, Draw& draw) {
   return net;
 }
 
-/// A straight triangle whose control points move by small integers; some with two edges in line at a corner, with a
-/// collapsed edge, or collapsed altogether.
+/// A straight triangle whose control points are moved by small integers. Some have two edges in line at a corner, a
+/// collapsed edge, or are collapsed altogether.
 inline IntegerNet random_net(int p, Draw& draw) {
   const NetLayout& layout = NetLayout::of(p);
   const int size = draw.integer(1, 3), range = draw.integer(1, size + 1);

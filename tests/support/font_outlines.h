@@ -17,7 +17,7 @@
 
 namespace pliant::samples {
 
-/// One quadratic piece of a contour, in font units: integers and halves, so that sums of products are exact.
+/// One quadratic piece of a contour. Coordinates are integers and halves (font units), so sums of products are exact.
 struct Conic {
   Point from, control, to;
 };
@@ -31,7 +31,8 @@ inline double enclosed_area(const Contour& contour) {
   return sixfold / 6;
 }
 
-/// Angle that p sees from one end of the piece to the other; the piece is cut until p lies outside its parts' boxes.
+/// The angle, seen from p, by which a piece turns around p. The piece is cut until p lies outside the boxes of its
+/// parts.
 inline double seen_angle(const Conic& c, const Point& p, int depth = 0) {
   Box box;
   for (const Point& q : {c.from, c.control, c.to}) box.extend(q);
@@ -41,7 +42,7 @@ inline double seen_angle(const Conic& c, const Point& p, int depth = 0) {
   return seen_angle({c.from, left, middle}, p, depth + 1) + seen_angle({middle, right, c.to}, p, depth + 1);
 }
 
-/// How often the contour runs round p, which is not on it.
+/// How often a contour runs around p, which is not on it.
 inline int winding_number(const Contour& contour, const Point& p) {
   double angle = 0;
   for (const Conic& c : contour) angle += seen_angle(c, p);
@@ -49,18 +50,18 @@ inline int winding_number(const Contour& contour, const Point& p) {
 }
 
 enum class Join { smooth, corner, cusp };
-/// How a piece goes on into the next: exact, the coordinates being what they are.
+/// How a piece continues into the next one; exact, because the coordinates are short.
 inline Join join(const Conic& before, const Conic& after) {
   const Vector in = before.to - before.control, out = after.control - after.from;
   if (cross(in, out) != 0) return Join::corner;
   return dot(in, out) > 0 ? Join::smooth : Join::cusp;
 }
 
-/// Pieces, one after the other, as one quadratic B-spline: simple knots where two legs are in line (there the spline is
-/// C1 by the choice of its knots), double knots at all other joins and where a closed one begins.
+/// Successive pieces as one quadratic B-spline. Where two legs are in line it has a simple knot, which is placed such
+/// that the spline is C1; it has double knots at all other joins, and where a closed one begins.
 inline BSpline spline_through(const std::vector<Conic>& pieces, bool closed) {
   std::vector<double> knots{0};
-  std::vector<std::size_t> piece_after{0};  // of each knot
+  std::vector<std::size_t> piece_after{0};  // the piece that follows each knot
   double step = 1;
   for (std::size_t i = 1; i <= pieces.size(); ++i) {
     const bool is_smooth = i < pieces.size() && join(pieces[i - 1], pieces[i]) == Join::smooth;
@@ -73,7 +74,7 @@ inline BSpline spline_through(const std::vector<Conic>& pieces, bool closed) {
                ? step * length(pieces[i].control - pieces[i].from) / length(pieces[i - 1].to - pieces[i - 1].control)
                : 1;
   }
-  // Of a closed one this is a period: the first break has its second knot at the end.
+  // On a closed spline the knots are one period: the first break has its second knot at the end.
   const std::size_t end = knots.size() - 1, n = pieces.size();
   if (!closed) {
     knots.insert(knots.begin(), 2, 0.0);
@@ -92,7 +93,7 @@ inline BSpline spline_through(const std::vector<Conic>& pieces, bool closed) {
   return BSpline(2, closed, std::move(knots), std::move(points));
 }
 
-/// Adds a contour: one closed curve, or curves from cusp to cusp, which are vertices.
+/// Adds a contour as one closed curve, or, if it has cusps, as curves from cusp to cusp. Cusps become vertices.
 inline void add_contour(BoundaryComplex& boundary, Contour contour, const std::string& name, int left, int right) {
   const std::size_t n = contour.size();
   const auto is_cusp = [&](std::size_t i) { return join(contour[(i + n - 1) % n], contour[i]) == Join::cusp; };
@@ -143,12 +144,12 @@ class Font {
 
   int glyph_count() const { return static_cast<int>(face_->num_glyphs); }
 
-  /// Contours of a glyph, reversed: outer ones run counter-clockwise then. Pieces without length are left out, and so
-  /// are contours of fewer than three points, which mark places.
+  /// The contours of a glyph, reversed so that outer ones run counter-clockwise. Pieces without length are left out,
+  /// and so are contours of fewer than three points, which only mark places.
   std::vector<Contour> contours(int glyph) const {
     if (FT_Load_Glyph(face_, static_cast<FT_UInt>(glyph), FT_LOAD_NO_SCALE | FT_LOAD_IGNORE_TRANSFORM) != 0)
       throw std::runtime_error("FreeType cannot load glyph " + std::to_string(glyph));
-    // Read point by point: FT_Outline_Decompose would round the implied points to integers.
+    // Points are read one by one, because FT_Outline_Decompose would round implied points to integers.
     const FT_Outline& outline = face_->glyph->outline;
     std::vector<Contour> result;
     int first = 0;
@@ -173,7 +174,7 @@ class Font {
     Contour result;
     const auto add = [&result](const Point& from, const Point& control, const Point& to) {
       if (from == to && from == control) return;
-      // A control point on an end makes a straight line whose derivative vanishes there.
+      // With a control point on an end the piece is a line whose derivative vanishes there, so the point is moved.
       const bool is_line = control == from || control == to;
       result.push_back({from, is_line ? (from + to) / 2 : control, to});
     };
@@ -192,7 +193,8 @@ class Font {
   FT_Face face_ = nullptr;
 };
 
-/// The face "ink" on the left of every contour: what a font draws whose contours are all turned right.
+/// A boundary with the face "ink" on the left of every contour, which is right for fonts that turn all contours
+/// properly.
 inline BoundaryComplex boundary_as_drawn(const std::vector<Contour>& contours) {
   BoundaryComplex boundary;
   boundary.faces.push_back({"ink", {}});
@@ -201,15 +203,15 @@ inline BoundaryComplex boundary_as_drawn(const std::vector<Contour>& contours) {
   return boundary;
 }
 
-/// The face "ink" that the nonzero rule gives for contours which neither cross nor touch; those with ink on both sides
-/// bound nothing and are left out. Its area, by the contours themselves, goes to `area`.
+/// A boundary with the face "ink" by the nonzero rule, for contours that neither cross nor touch. Contours with ink on
+/// both sides bound nothing and are left out. `area` becomes the area of the face, computed from the contours.
 inline BoundaryComplex boundary_by_nonzero(const std::vector<Contour>& contours, double& area) {
   BoundaryComplex boundary;
   boundary.faces.push_back({"ink", {}});
   area = 0;
   for (std::size_t i = 0; i < contours.size(); ++i) {
     const double enclosed = enclosed_area(contours[i]);
-    int right = enclosed < 0 ? -1 : 0;  // the winding number on the contour's right
+    int right = enclosed < 0 ? -1 : 0;  // the winding number on the right of the contour
     for (std::size_t j = 0; j < contours.size(); ++j)
       if (j != i) right += winding_number(contours[j], contours[i].front().from);
     const bool ink_on_right = right != 0, ink_on_left = right + 1 != 0;

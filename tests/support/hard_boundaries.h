@@ -14,14 +14,14 @@
 
 namespace pliant::samples {
 
-/// A rectangle around what lies at the origin.
+/// Adds a rectangle with the face inside.
 inline void add_walls(BoundaryComplex& b, const Point& low, const Point& high, int face) {
   const int first = static_cast<int>(b.vertices.size());
   b.vertices.insert(b.vertices.end(), {low, {high.x, low.y}, high, {low.x, high.y}});
   for (int i = 0; i < 4; ++i) b.curves.push_back(open_curve(b, "wall", first + i, first + (i + 1) % 4, {}, face));
 }
 
-/// A gear whose flanks are straight and whose edges are rounded: a quadratic spline cuts the corners of its polygon.
+/// A gear with straight flanks and rounded edges, which a quadratic spline makes by cutting the corners of its polygon.
 inline BoundaryComplex filleted_gear(int teeth, double fillet) {
   std::vector<Point> points;
   std::vector<Point> corners;
@@ -38,7 +38,8 @@ inline BoundaryComplex filleted_gear(int teeth, double fillet) {
   return b;
 }
 
-/// A cubic spline once round a profile of unit chord, from the trailing edge and back to it: `at` from -1 to 1.
+/// A cubic spline once around a profile of unit chord, from the trailing edge back to it; at(u), u from -1 to 1, is the
+/// profile.
 inline BSpline profile(Point (*at)(double), int count) {
   constexpr int degree = 3;
   std::vector<double> knots(degree, 0.0);
@@ -53,13 +54,14 @@ inline BSpline profile(Point (*at)(double), int count) {
   return spline;
 }
 
-/// NACA 0012 with a closed trailing edge, of angle 2 atan(0.14) = 16 degrees; u^2 is the distance from the leading
-/// edge, smooth there.
+/// The profile NACA 0012 with a closed trailing edge, whose angle is 2 atan(0.14) = 16 degrees. u^2 is the distance
+/// from the leading edge along the chord, which makes the profile a smooth function of u.
 inline Point naca_0012(double u) {
   const double x = u * u;
   return {x, -0.6 * (0.2969 * u + std::copysign(x, u) * (-0.126 + x * (-0.3516 + x * (0.2843 - 0.1036 * x))))};
 }
 
+/// The profile as a wing in air, inside a circle.
 inline BoundaryComplex in_far_field(BSpline outline, double radius) {
   BoundaryComplex b = with_faces({"air", "wing"});
   b.vertices = {outline.points().front()};
@@ -70,7 +72,7 @@ inline BoundaryComplex in_far_field(BSpline outline, double radius) {
   return b;
 }
 
-/// Round cells of radius 0.3 to 0.8 at random in a box, no two of them closer than `gap`.
+/// Round cells of radius 0.3 to 0.8 at random places in a box, no two of them closer to each other than `gap`.
 inline BoundaryComplex cells_in_box(int count, double gap, std::uint64_t seed) {
   std::mt19937_64 random(seed);
   std::uniform_real_distribution<double> u(0, 1);

@@ -10,9 +10,10 @@
 #include "support/oracle_element.h"
 #include "support/placement_stars.h"
 
-// Nothing here is shared with what it judges but the order of control points. The programs are convex in the place:
-// det J at one xi is affine, and 1 / tau is convex where det J > 0. What the place costs falls fastest towards one side
-// of the polygon's centre of gravity; the other side is cut off, until no vertex can promise more than is known.
+// The oracle shares nothing with the code that it judges but the order of control points. Its programs are convex in
+// the place: det J at one xi is affine, and 1 / tau is convex where det J > 0. Costs can only fall on one side of a
+// line through the polygon's centre of gravity; the other side is cut off, until no vertex promises less than the best
+// cost.
 namespace pliant::samples {
 
 /// The optima of one star.
@@ -33,9 +34,9 @@ class PlacementOracle {
     half_ = std::max(Real{high.x} - middle_.x, Real{high.y} - middle_.y);
   }
 
-  /// The greatest least coefficient of det J by scale, up to `reach` half extents away.
+  /// The greatest value, at places up to `reach` half extents away, of the least scaled coefficient of det J.
   Real best_coefficient(Real reach) const {
-    // Affine: known everywhere from one place.
+    // The coefficients are affine in the place, so that they are known everywhere from one place.
     std::vector<Cost> all;
     for (const OracleElement& element : elements_)
       for (const Cost& cost : element.coefficient_costs(middle_)) all.push_back(cost);
@@ -48,15 +49,15 @@ class PlacementOracle {
               return most;
             }).cost;
   }
-  /// The greatest least det J by scale.
+  /// The same for the least scaled det J.
   Real best_area(Real reach, Real width = 1e-12L) const {
     return -least_cost(middle_, reach * half_, width, [this](const Place& q) { return area(q); }).cost;
   }
   struct BestShape {
-    Real value, most;  ///< found; nothing is above `most`
+    Real value, most;  ///< the best value that was found; no value is above `most`
     Point place;
   };
-  /// The greatest least tau; 0 where none is positive.
+  /// The same for the least tau; 0 if it is positive nowhere.
   BestShape best_shape(Real reach, Real width = 1e-12L) const {
     const LeastCost best = least_cost(middle_, reach * half_, width, [this](const Place& q) {
       Cost most = area(q);
@@ -73,14 +74,14 @@ class PlacementOracle {
     const BestShape result{1 / best.cost,
                            best.sure > 0 ? 1 / best.sure : 1,
                            {static_cast<double>(best.place.x), static_cast<double>(best.place.y)}};
-    // Of p > 2 only samples are known: had there been more, would it be the same?
+    // For p > 2 the search starts from samples only. If more samples find less at the place, they are used instead.
     if (star_.degree > 2 && fineness_ < 9) {
       const PlacementOracle finer(star_, 3 * fineness_);
       if (finer.shape_at(result.place) < result.value * (1 - 1e-11L)) return finer.best_shape(reach, width);
     }
     return result;
   }
-  /// The same two of the control triangles; areas by the square of half the extent of the star.
+  /// The same two for the control triangles; their areas are divided by the square of half the extent of the star.
   Real best_control_area(Real reach) const {
     const std::vector<Columns> triangles = control_triangles();
     return -least_cost(middle_, reach * half_, 1e-13L, [&](const Place& q) {
@@ -111,7 +112,7 @@ class PlacementOracle {
     for (const Columns& c : control_triangles()) least = std::min(least, 1 / samples::shape_cost(c, {p.x, p.y}).cost);
     return least;
   }
-  /// The least tau at a place; not positive where it is tangled.
+  /// The least tau at a place; 0 if an element is tangled there.
   Real shape_at(const Point& p) const {
     const Place q{p.x, p.y};
     if (area(q).cost >= 0) return 0;

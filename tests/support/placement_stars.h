@@ -37,8 +37,8 @@ struct PlacementStar {
   }
 };
 
-/// Straight triangles of size about 1 round the origin, each control point but the corners then moved by up to
-/// noise / (2 degree) in each coordinate. Elements agree on what they share.
+/// Straight triangles of size about 1 around the origin, in which each control point but the corners is then moved by
+/// up to noise / (2 degree) in each coordinate. Elements agree on the control points that they share.
 inline PlacementStar random_star(int degree, StarKind kind, double noise, std::mt19937_64& random) {
   std::uniform_real_distribution<double> unit(0, 1);
   const NetLayout& layout = NetLayout::of(degree);
@@ -73,8 +73,9 @@ inline PlacementStar random_star(int degree, StarKind kind, double noise, std::m
   return star;
 }
 
-/// Every other one as a smoother meets it; else with much bending (inverted elements among them), squeezed to a sliver
-/// now and then, which makes constraints nearly parallel, turned, and with the point anywhere, also far outside.
+/// A random star. Every other one is as a smoother meets it. The rest is bent much (some elements are inverted),
+/// turned, now and then squeezed to a sliver, which makes constraints nearly parallel, and has the point anywhere, even
+/// far outside.
 inline PlacementStar hard_star(int degree, unsigned long seed) {
   std::mt19937_64 random(seed);
   std::uniform_real_distribution<double> unit(-1, 1);

@@ -139,8 +139,8 @@ inline BoundaryComplex gear(int teeth = 24) {
   return b;
 }
 
-/// Outline of a letter: quadratic curves and lines joined by smooth and by sharp corners (double knots), with a
-/// counter.
+/// The outline of a letter with a hole: quadratic curves and lines, joined smoothly and in sharp corners (double
+/// knots).
 inline BoundaryComplex glyph() {
   BoundaryComplex b = with_faces({"e"});
   const std::vector<Point> outline{{1.0, 0.55}, {0.25, 0.55}, {0.27, 0.15}, {0.6, 0.15},  {0.78, 0.15}, {0.97, 0.25},
@@ -150,7 +150,7 @@ inline BoundaryComplex glyph() {
   std::vector<double> knots{0};
   const std::size_t spans = outline.size() / 2;
   for (std::size_t i = 1; i <= spans; ++i) knots.insert(knots.end(), 2, static_cast<double>(i));
-  // Basis function i starts at knot i; the first break has its second knot at the end of the period.
+  // Basis function i starts at knot i, and the first break has its second knot at the end of the period.
   std::vector<Point> rotated(outline.begin() + 1, outline.end());
   rotated.push_back(outline.front());
   std::rotate(rotated.begin(), rotated.end() - 1, rotated.end());

@@ -14,7 +14,7 @@
 
 namespace pliant::samples {
 
-/// A closed B-spline of `spans` uniform spans whose control points lie on a circle: smooth, round, not quite a circle.
+/// A closed B-spline of `spans` uniform spans whose control points lie on a circle. It is round, but no circle.
 inline BSpline round_spline(int degree, int spans, const Point& center, double radius) {
   std::vector<double> knots;
   std::vector<Point> points;
@@ -26,8 +26,8 @@ inline BSpline round_spline(int degree, int spans, const Point& center, double r
   return BSpline(degree, true, std::move(knots), std::move(points));
 }
 
-/// Builds elements whose edges share their control points; inner control points by blending the edges' displacement
-/// from straight, so that an element with straight edges is affine.
+/// Builds elements that share the control points of common edges. Inner control points blend the displacements of the
+/// edges from straight ones, so that an element with straight edges is affine.
 class MeshBuilder {
  public:
   explicit MeshBuilder(int degree) : layout_(NetLayout::of(degree)) { data_.degree = degree; }
@@ -97,7 +97,7 @@ class MeshBuilder {
   std::map<std::pair<PointId, PointId>, std::vector<PointId>> edges_;
 };
 
-/// Adds a round cell: `spans` constrained edges on a closed B-spline, a curved ring inside it, 3 * spans elements.
+/// Adds a round cell of 3 * spans elements: `spans` constrained edges on a closed B-spline, with a curved ring inside.
 inline void add_disk(MeshBuilder& builder, int spans, const Point& center, double radius, const std::string& name) {
   MeshData& data = builder.data();
   const auto face = static_cast<FaceId>(data.boundary.faces.size());
@@ -150,7 +150,7 @@ inline MeshData three_disks(int degree, int spans = 8) {
   return std::move(builder.data());
 }
 
-/// Adds a field whose control values are `values` of the control points; exact for linear functions.
+/// Adds a field whose control values are `values` at the control points; this is exact for linear functions.
 inline void add_field(MeshData& data, const std::string& name, int components,
                       const std::function<std::vector<double>(const Point&)>& values) {
   Field field;

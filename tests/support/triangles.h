@@ -12,13 +12,13 @@
 
 namespace pliant::samples {
 
-/// The same numbers on every platform (std::uniform_real_distribution does not promise that).
+/// Random numbers that are the same on every platform (std::uniform_real_distribution does not promise that).
 class Random {
  public:
   explicit Random(int seed) : engine_(static_cast<std::uint64_t>(seed) * 0x9E3779B97F4A7C15u + 1) {}
-  /// In [low, high).
+  /// A number in [low, high).
   double real(double low, double high) { return low + (high - low) * (static_cast<double>(engine_() >> 11) * 0x1p-53); }
-  /// In low..high.
+  /// An integer in low..high.
   int integer(int low, int high) {
     return low + static_cast<int>(engine_() % static_cast<std::uint64_t>(high - low + 1));
   }
@@ -26,7 +26,7 @@ class Random {
     const double x = real(low, high);
     return {x, real(low, high)};
   }
-  /// Inside the triangle.
+  /// A point inside the triangle.
   Barycentric barycentric() {
     double a = real(0, 1);
     double b = real(0, 1);
@@ -58,9 +58,9 @@ inline std::vector<Point> straight_net(int degree, const Point& a, const Point& 
   return net;
 }
 
-/// Curved, and valid by construction: every control point of a unit equilateral triangle moves by at most
-/// amount / degree in x and in y, so the partials by at most 2 sqrt(2) amount, and for amount <= 0.1 each of their
-/// cross products stays above 0.866 - 2 * 0.283 - 0.08 > 0. Then turned, enlarged and moved.
+/// A curved element that is valid by construction. Every control point of a unit equilateral triangle is moved by at
+/// most amount / degree in x and in y. So the partials change by at most 2 sqrt(2) amount, and for amount <= 0.1 each
+/// of their cross products stays above 0.866 - 2 * 0.283 - 0.08 > 0. Then the element is turned, enlarged and moved.
 inline std::vector<Point> random_valid_net(int degree, int seed, double amount = 0.1) {
   Random random(seed);
   std::vector<Point> net = straight_net(degree, {0, 0}, {1, 0}, {0.5, std::sqrt(0.75)});
@@ -75,7 +75,7 @@ inline std::vector<Point> random_valid_net(int degree, int seed, double amount =
   return net;
 }
 
-/// Anything: a straight right triangle of the given size plus integers of -range..range. Exact in doubles.
+/// Any element: a straight right triangle of the given size plus integers of -range..range; exact in doubles.
 inline std::vector<Point> random_integer_net(int degree, int seed, int size, int range) {
   Random random(seed);
   const double p = degree * size;
@@ -87,9 +87,9 @@ inline std::vector<Point> random_integer_net(int degree, int seed, int size, int
   return net;
 }
 
-/// The net of p ((z - centre)^p + tilt conj(z)), z = x + iy on the unit right triangle, p the degree. Then
-/// det J = p^2 (p^2 |z - centre|^(2p - 2) - tilt^2), which is least at the centre. Control points are products of
-/// corners minus centre: exact in doubles where these are short dyadics.
+/// The net of p ((z - centre)^p + tilt conj(z)), where z = x + iy on the unit right triangle and p is the degree. Its
+/// det J = p^2 (p^2 |z - centre|^(2p - 2) - tilt^2) is least at the centre. Control points are products of differences
+/// between corners and the centre, which are exact in doubles if these are short dyadics.
 inline std::vector<Point> power_net(int degree, std::complex<double> centre, double tilt = 0) {
   using Complex = std::complex<double>;
   const Complex corners[3] = {Complex(0, 0) - centre, Complex(1, 0) - centre, Complex(0, 1) - centre};

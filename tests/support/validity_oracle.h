@@ -18,11 +18,11 @@ template <unsigned bits>
 using Fixed = boost::multiprecision::number<boost::multiprecision::cpp_int_backend<
     bits, bits, boost::multiprecision::signed_magnitude, boost::multiprecision::unchecked, void>>;
 
-/// A net of integers; the order of NetLayout.
+/// A net of integers, in the order of NetLayout.
 using IntegerNet = std::vector<std::array<std::int64_t, 2>>;
 
-/// What is true of an element: the sign of min det J, and the least of corner, edge, face where it is taken (so
-/// {-1, face} is negative in the interior only).
+/// What is true of an element: the sign of min det J, and where it is attained, at a corner, else on an edge, else
+/// inside (so {-1, face} is negative in the interior only).
 struct Truth {
   int sign = 1;
   Place place = Place::corner;
@@ -36,7 +36,8 @@ int sign_of(const Int& x) {
   return x > 0 ? 1 : x < 0 ? -1 : 0;
 }
 
-/// Of a quadratic element, by calculus on the power form of det J. Int has room for 2^33 (greatest coordinate)^6.
+/// The truth about a quadratic element, by calculus on the power form of det J. Int must have room for
+/// 2^33 (greatest coordinate)^6.
 template <class Int>
 Truth quadratic_truth(const IntegerNet& net) {
   Int a[6][2];  // chi = a0 + a1 x + a2 y + a3 x^2 + a4 x y + a5 y^2
@@ -51,7 +52,7 @@ Truth quadratic_truth(const IntegerNet& net) {
   Truth truth;
   const Int corners[3] = {q0, q0 + q1 + q3, q0 + q2 + q5};
   for (const Int& value : corners) truth.lower(sign_of(value), Place::corner);
-  // At t on an edge: start + slope t + square t^2.
+  // det J at t on an edge is start + slope t + square t^2.
   const auto edge = [&](const Int& start, const Int& slope, const Int& square) {
     if (square > 0 && slope < 0 && -slope < 2 * square)
       truth.lower(sign_of(Int(4 * square * start - slope * slope)), Place::edge);
@@ -61,13 +62,13 @@ Truth quadratic_truth(const IntegerNet& net) {
   edge(corners[1], q2 + q4 - q1 - 2 * q3, q3 - q4 + q5);
   const Int hessian = 4 * q3 * q5 - q4 * q4;
   if (hessian > 0 && q3 > 0) {
-    const Int x = q4 * q2 - 2 * q5 * q1, y = q4 * q1 - 2 * q3 * q2;  // times the Hessian
+    const Int x = q4 * q2 - 2 * q5 * q1, y = q4 * q1 - 2 * q3 * q2;  // the stationary point, times the Hessian
     if (x > 0 && y > 0 && x + y < hessian) truth.lower(sign_of(Int(2 * q0 * hessian + q1 * x + q2 * y)), Place::face);
   }
   return truth;
 }
 
-/// det J of an element of degree up to 6: from the power form of its map to the Bernstein form of the determinant.
+/// det J, in Bernstein form, of an element of degree up to 6; computed by way of the power form of its map.
 template <class Int>
 class IntegerJacobian {
  public:
@@ -87,7 +88,7 @@ class IntegerJacobian {
       for (int k = 0; j + k <= degree_; ++k)
         for (int a = 0; a <= j; ++a)
           for (int b = 0; b <= k; ++b)
-            // (j over a) a! (k over b) b! (d - a - b)!
+            // (j choose a) a! (k choose b) b! (d - a - b)!
             entry(root_, j, k) += factorial(j) / factorial(j - a) * (factorial(k) / factorial(k - b)) *
                                   factorial(degree_ - a - b) * product[index(a)][index(b)];
     for (const Int& c : root_) greatest_ = std::max(greatest_, std::fabs(static_cast<double>(c)));
@@ -96,19 +97,19 @@ class IntegerJacobian {
   /// max |coefficient| of det J, in units of the net.
   double greatest() const { return greatest_ / static_cast<double>(factorial(degree_)); }
 
-  /// How deep bisections go before integers of that many bits overflow.
+  /// How deep bisections may go without overflow of integers with that many bits.
   int depth_of(int bits) const { return static_cast<int>(bits - 1 - std::ceil(std::log2(greatest_ + 1))) / degree_; }
 
-  /// What bisections to a depth prove of the minimum, relative to `greatest`: it is within [lower, upper], and a
-  /// `sign` of -1 or 1 is certain; 0 is not.
+  /// What bisections to a depth prove about the minimum: in units of `greatest` it is within [lower, upper], and a
+  /// `sign` of -1 or 1 is proved. A `sign` of 0 means that the sign is not known.
   struct Enclosure {
     int sign = 1;
     double lower = HUGE_VAL, upper = HUGE_VAL;
     bool is_zero() const { return lower == 0 && upper == 0; }
     bool is_decided() const { return sign != 0 || is_zero(); }
   };
-  /// With a tolerance, only what is below -tolerance counts as negative (and the sixteenth of it closes a piece, since
-  /// its corners may be some times as far from zero as its coefficients).
+  /// With a tolerance, only values below -tolerance count as negative. A piece is closed if its coefficients are above
+  /// a sixteenth of that, since its corners may be several times as far from zero as its coefficients.
   Enclosure enclose(int greatest_depth, int most_pieces = 500, double tolerance = 0) const {
     if (greatest_ == 0) return {0, 0, 0};
     Enclosure result;
@@ -180,7 +181,7 @@ class IntegerJacobian {
     }
     --pieces_left;
     Coefficients first(piece.size()), second(piece.size());
-    // From (v0, v1, v2) to (v2, v0, m) and (v1, v2, m), m in the middle of v0 v1.
+    // The piece (v0, v1, v2) becomes (v2, v0, m) and (v1, v2, m), where m is the middle of v0 v1.
     for (int k = 0; k <= degree_; ++k) {
       const int n = degree_ - k;
       Coefficients row;
@@ -197,7 +198,7 @@ class IntegerJacobian {
   }
 
   int degree_;
-  Coefficients root_;  // times degree!
+  Coefficients root_;  // the coefficients of det J times the factorial of its degree
   double greatest_ = 0;
 };
 

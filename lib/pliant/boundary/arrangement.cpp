@@ -16,18 +16,19 @@
 namespace pliant {
 namespace {
 
-constexpr double wider = 16;  // the tolerance of the next attempt
+constexpr double widening = 16;  // the tolerance of an attempt over that of the attempt before
 
-/// What both kinds of input come to.
+/// The input of `arrange` and that of `resolve`, in one form.
 struct Painting {
   std::vector<Point> vertices;
   std::vector<Face> faces;
   std::vector<FillRule> rules;
-  std::deque<BSpline> splines;  ///< what `curves` point to
+  std::deque<BSpline> splines;  ///< the splines that `curves` point to
   std::vector<SidedCurve> curves;
-  std::vector<Curve> sources;  ///< of each curve: name and other members, no spline
-  double tip = 0;              ///< length of what turns so sharply that it becomes a corner
+  std::vector<Curve> sources;  ///< for each of `curves`, its name and other members, without a spline
+  double tip = 0;              ///< the length within which a sharp turn becomes a corner
 
+  /// `source` is the name and the other members of the curve that `spline` belongs to.
   void add_curve(const BSpline& spline, const Winding& jump, const Curve& source) {
     for (BSpline& part : split_at_stops(spline, tip)) {
       splines.push_back(std::move(part));
@@ -36,6 +37,7 @@ struct Painting {
     }
   }
 
+  /// The face, or `outside`, to which points with these winding numbers belong.
   int owner(const Winding& winding) const {
     for (auto at = winding.rbegin(); at != winding.rend(); ++at)
       if (rules[index(at->first)] == FillRule::nonzero || at->second % 2 != 0) return at->first;
@@ -53,7 +55,8 @@ Fault inconsistent_at(const Point& p) {
               " run so close to each other that what lies between them cannot be told"};
 }
 
-/// Vertices that are used, faces that something is left of, and the curves between them.
+/// Fills in the boundary of the result: the vertices that are used, the faces of which something is left, and the
+/// curves.
 void assemble(const Painting& painting, const ArcNetwork& network, std::vector<KeptCurve> kept, Arrangement& result) {
   BoundaryComplex& boundary = result.boundary;
   std::vector<int> vertex(network.nodes.size(), no_vertex), face(painting.faces.size(), outside);
@@ -108,7 +111,7 @@ Arrangement attempt(const Painting& painting, const ArrangeOptions& options) {
   return result;
 }
 
-/// Why the input is beyond what doubles can tell about it: products of lengths would overflow or vanish.
+/// The fault of an input that is so large or so small that products of lengths would overflow or vanish.
 std::vector<Fault> size_fault(const Painting& painting) {
   constexpr double least = 1e-100, most = 1e100;
   Box box;
@@ -123,15 +126,16 @@ std::vector<Fault> size_fault(const Painting& painting) {
   return {{"boundary", "/curves", "the curves' size is not between 1e-100 and 1e100"}};
 }
 
-/// Where rounding leaves something that is not a boundary, coarser snapping mostly helps.
+/// The arrangement with the smallest tolerance that gives a boundary. Where rounding leaves something that is none, a
+/// coarser tolerance mostly helps.
 Arrangement solve(const Painting& painting, ArrangeOptions options) {
   Arrangement result;
   result.faults = size_fault(painting);
   if (!result.faults.empty()) return result;
   result = attempt(painting, options);
   result.tolerance = options.tolerance;
-  while (!result.faults.empty() && options.tolerance * wider <= options.coarsest) {
-    options.tolerance *= wider;
+  while (!result.faults.empty() && options.tolerance * widening <= options.coarsest) {
+    options.tolerance *= widening;
     options.sliver = std::max(options.sliver, 4 * options.tolerance);
     Arrangement next = attempt(painting, options);
     if (!next.faults.empty()) continue;
@@ -141,7 +145,7 @@ Arrangement solve(const Painting& painting, ArrangeOptions options) {
   return result;
 }
 
-/// Ends where more of a face's open curves start than stop, or the other way round.
+/// The places where more, or fewer, open curves of a face start than end.
 std::vector<Fault> open_loops(std::span<const FilledFace> faces) {
   std::vector<Fault> faults;
   for (std::size_t f = 0; f < faces.size(); ++f) {

@@ -9,56 +9,61 @@
 
 namespace pliant {
 
-/// Which winding numbers are inside.
+/// Which winding numbers count as inside.
 enum class FillRule { nonzero, evenodd };
 
-/// What is painted: the points around which the curves wind as the rule says.
+/// A face as it is painted: all points whose winding number, with respect to the curves, the rule counts as inside.
 struct FilledFace {
   std::string name;
-  std::vector<BSpline>
-      curves;  ///< closed ones; open ones that chain to loops, each ending bit for bit where one starts
+  /// Closed curves, and open ones that chain to loops: each ends, bit for bit, where one of them starts.
+  std::vector<BSpline> curves;
   FillRule rule = FillRule::nonzero;
   ExtraMembers extra;
 };
 
-/// All are relative to the size of the input, the diagonal of the box of its control points.
+/// Lengths relative to the size of the input, which is the diagonal of the box of its control points.
 struct ArrangeOptions {
-  double tolerance = 1e-11;  ///< what is closer touches, or coincides
-  double coarsest = 1e-6;    ///< what the tolerance may become where it gives no boundary
-  double tip = 4e-9;         ///< what turns by more than 60 degrees within this length becomes a corner
-  double sliver = 1e-9;      ///< two pieces between the same two vertices, nowhere farther apart, become one
+  double tolerance = 1e-11;  ///< curves that are closer than this touch, or coincide
+  double coarsest = 1e-6;    ///< the greatest tolerance to try when smaller ones give no valid boundary
+  double tip = 4e-9;         ///< a curve that turns by more than 60 degrees within this length gets a corner there
+  double sliver = 1e-9;      ///< pieces between the same two vertices, nowhere farther apart than this, become one
 };
 
 /// The outcome, with counts.
 struct Arrangement {
   BoundaryComplex boundary;
-  std::vector<int> sources;     ///< which input face each face is: those that nothing is left of are gone
+  std::vector<int> sources;     ///< the input face that each face is a part of; input faces may have vanished
   long intersections = 0;       ///< places where curves cross, touch, branch or run together
-  long pieces = 0;              ///< between them, each counted once
+  long pieces = 0;              ///< pieces of curves between these places; pieces that run together count once
   long regions = 0;             ///< bounded regions of the plane between the pieces
-  long slivers = 0;             ///< pieces merged with another that was not within the tolerance
-  double sliver_area = 0;       ///< the area between them, at most
-  double tolerance = 0;         ///< that it took: the one that was asked for, or a coarser one
+  long slivers = 0;             ///< pieces merged with another one that was not within the tolerance
+  double sliver_area = 0;       ///< a bound of the area between those
+  double tolerance = 0;         ///< the tolerance that was used: the one in the options, or a coarser one
   std::vector<Fault> faults{};  ///< why the boundary must not be used; empty if all is well
 };
 
-/// The disjoint regions that a painter sees: a point belongs to the last of the faces that has it inside.
+/// The disjoint faces that are seen when the given ones are painted one over the other: a point belongs to the last
+/// face that has it inside.
 ///
-/// Curves are cut where they cross, touch or part; pieces that run together become one; those with the same face on
-/// both sides go. What is not cut stays one B-spline, its knots kept; a curve that is kept whole is kept bit for bit.
-/// Pieces move by the snap at their ends (a few tolerances), and are otherwise exact parts of the input's curves.
-/// Ensures     check_boundary and check_boundary_geometry find nothing, or `faults` says what and where
-/// Requires    curves without BSpline::fault
-/// Refuses     (in `faults`) loops that do not close, sizes beyond 1e-100 to 1e100, and what no tolerance makes a
-/// boundary
-///             that can be meshed: curves that stop in a cusp of their own, faces without a name of their own
+/// Curves are cut where they cross, touch or part. Pieces that run together become one, and pieces with the same face
+/// on both sides are dropped. A stretch of a curve that is not cut stays one B-spline with its knots, and a curve that
+/// is not cut at all stays bit for bit. Ends of pieces are moved to their vertices (by a few tolerances); otherwise
+/// pieces are exact parts of the given curves.
+///
+/// Requires    no curve has a BSpline::fault
+/// Ensures     check_boundary and check_boundary_geometry find nothing, or `faults` says what is wrong and where
+/// Refuses     (in `faults`) loops that do not close, sizes beyond 1e-100 to 1e100, and input that no tolerance makes a
+///             boundary that can be meshed: curves with a cusp inside, faces without a name of their own
 /// Complexity  near O((n + k) log n) for n spans and k intersections, where boxes of spans overlap little
 Arrangement arrange(std::span<const FilledFace> faces, const ArrangeOptions& options = {});
 
-/// The same for a boundary complex whose curves cross: a face's winding numbers are those of the curves that have it on
-/// their left, and, run backwards, on their right; nonzero is inside; later faces lie over earlier ones. Names and
-/// other members of faces and curves stay; a document without intersections stays as it is, but for curves with the
-/// same face on both sides, which go, and cusps, which are not listed. Requires    check_boundary(boundary) to be empty
+/// The same for a boundary complex whose curves cross. The winding numbers of a face are those of the curves that have
+/// it on their left, and of the curves that have it on their right, run backwards. A point with a winding number other
+/// than 0 is inside, and later faces are over earlier ones. Names and other members of faces and curves stay. A
+/// document without intersections stays as it is, except that curves with the same face on both sides are dropped, and
+/// that cusps are not listed.
+///
+/// Requires    check_boundary(boundary) finds nothing
 Arrangement resolve(const BoundaryComplex& boundary, const ArrangeOptions& options = {});
 
 }  // namespace pliant

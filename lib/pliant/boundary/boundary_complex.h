@@ -18,8 +18,8 @@ struct Face {
   ExtraMembers extra;
 };
 
-/// A B-spline with what it separates. An open curve runs from vertex `start` to vertex `end`, whose positions equal its
-/// end control points bit for bit.
+/// A B-spline and the faces that it separates. An open curve runs from vertex `start` to vertex `end`, whose positions
+/// equal its end control points bit for bit.
 struct Curve {
   std::string name;
   BSpline spline;
@@ -27,7 +27,7 @@ struct Curve {
   int end = no_vertex;
   int left = outside;        ///< face on the left, going along the curve
   int right = outside;       ///< face on the right
-  double removal_error = 0;  ///< accumulated bound of what knot removal has changed (length)
+  double removal_error = 0;  ///< a bound of how far knot removals have moved the curve in all (length)
   ExtraMembers extra;
 };
 
@@ -37,7 +37,8 @@ struct BoundaryComplex {
   std::vector<Face> faces;
   std::vector<Curve> curves;
   std::vector<int> cusps;  ///< vertices where two curves leave with tangent angle 0
-  /// Times the lengths here, the document's: a power of two, 1 but for documents of extreme size (normalize_unit).
+  /// A length here, times `unit`, is one in the document: a power of two, 1 except for documents of extreme size
+  /// (normalize_unit).
   double unit = 1;
   ExtraMembers extra;
 };
@@ -45,8 +46,8 @@ struct BoundaryComplex {
 /// Index of the face of that name, or `outside`.
 int find_face(const BoundaryComplex& boundary, const std::string& name);
 
-/// Raises every curve to `degree` (its knots' multiplicities grow accordingly; shapes unchanged).
-/// Requires no curve of a higher degree.
+/// Raises every curve to `degree`; the multiplicities of its knots grow accordingly, and its shape stays.
+/// Requires    no curve has a higher degree
 void elevate_curves(BoundaryComplex& boundary, int degree);
 
 /// The box of all control points and vertices.

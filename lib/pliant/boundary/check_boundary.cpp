@@ -22,7 +22,7 @@ class Structure {
     check_faces();
     for (std::size_t c = 0; c < boundary_.curves.size(); ++c) check_curve(c);
     check_sides();
-    // Chains are only meaningful where every index is.
+    // Chains can only be checked if every index is valid.
     if (faults_.empty()) check_chains();
     return std::move(faults_);
   }
@@ -77,7 +77,7 @@ class Structure {
   }
 
   std::string describe(std::size_t c) const { return describe_curve(boundary_, static_cast<int>(c)); }
-  /// "curve 'wall' (2) at parameter 0, (1, 0)": one of its ends.
+  /// One end of a curve: "curve 'wall' (2) at parameter 0, (1, 0)".
   std::string describe_end(std::size_t c, bool start) const {
     const BSpline& spline = boundary_.curves[c].spline;
     return describe(c) + " at parameter " +
@@ -117,9 +117,9 @@ class Structure {
 
   std::string face_name(int f) const { return "face '" + boundary_.faces[static_cast<std::size_t>(f)].name + "'"; }
 
-  /// At every vertex as many pieces of a face's boundary arrive as leave, the face on their left.
+  /// Checks that at every vertex as many curves of a face arrive as leave, when they run with the face on their left.
   void check_chains() {
-    std::map<std::pair<int, int>, int> balance;  // (face, vertex) -> pieces that leave minus those that arrive
+    std::map<std::pair<int, int>, int> balance;  // (face, vertex) -> curves that leave minus curves that arrive
     for (const Curve& curve : boundary_.curves) {
       if (curve.spline.closed()) continue;
       ++balance[{curve.left, curve.start}];

@@ -1,4 +1,4 @@
-// lib/pliant/boundary/check_boundary_geometry.cpp: what a boundary that is to be meshed must hold.
+// lib/pliant/boundary/check_boundary_geometry.cpp: the geometric faults of a boundary that is to be meshed.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -13,8 +13,8 @@
 namespace pliant {
 namespace {
 
-constexpr std::size_t most_faults = 20;  // a curve laid over another would give one a span
-constexpr double resolution = 1e-9;      // of a span or a pair of spans: to what contacts are told and told apart
+constexpr std::size_t most_faults = 20;  // two curves that lie on each other would otherwise make one for each span
+constexpr double resolution = 1e-9;      // relative to the size of spans: contacts are described and told apart to this
 
 Vector tangent_at(std::span<const Point> polygon, double s) {
   std::vector<Point> points(polygon.begin(), polygon.end());
@@ -69,7 +69,7 @@ class Geometry {
       }
   }
 
-  /// One fault a curve: what else is wrong with it may follow from that.
+  /// Reports one fault for each curve at most, because what else is wrong with the curve may follow from that.
   void check_spans() {
     is_regular_.assign(boundary_.curves.size(), true);
     for (std::size_t i = 0; i < spans_.size(); ++i) {
@@ -113,7 +113,7 @@ class Geometry {
       const auto contact = find_contact(curve(i), curve(j));
       if (!contact) continue;
       const bool at_vertex = contact->node >= 0 && contact->node < static_cast<int>(boundary_.vertices.size());
-      if (contact->kind == Contact::Kind::turns_back && at_vertex) continue;  // a cusp: listed by who meshes it
+      if (contact->kind == Contact::Kind::turns_back && at_vertex) continue;  // a cusp, which is no fault
       const double size = std::max(boxes[i].size(), boxes[j].size());
       if (!is_new(i, j, contact->place, size)) continue;
       const bool turns = contact->kind == Contact::Kind::turns_back;
@@ -126,7 +126,7 @@ class Geometry {
 
   bool is_regular(std::size_t i) const { return is_regular_[static_cast<std::size_t>(spans_[i].curve)]; }
 
-  /// Spans that join where their curve meets another would tell of it twice, or four times.
+  /// Whether a contact has not been reported before. Where spans join at a contact, two or four pairs of spans have it.
   bool is_new(std::size_t i, std::size_t j, const Point& place, double size) {
     const std::array<int, 2> pair{spans_[i].curve, spans_[j].curve};
     for (const auto& [known, where] : contacts_)
@@ -142,14 +142,14 @@ class Geometry {
     return std::fabs(sine) > 1e-4 ? " crosses " : " touches or overlaps ";
   }
 
-  /// Vertices that no curve ends in become some of the mesh, unless they lie on a curve.
+  /// The vertices where no curve ends. They become vertices of the mesh, which is a fault only if they lie on a curve.
   std::vector<int> loose_vertices() const {
     std::vector<bool> is_used(boundary_.vertices.size(), false);
     for (const Curve& curve : boundary_.curves)
       for (const int v : {curve.start, curve.end})
         if (v != no_vertex) is_used[static_cast<std::size_t>(v)] = true;
     std::vector<int> loose;
-    if (has_twins_) return loose;  // they would be told of again
+    if (has_twins_) return loose;  // vertices at the same point would be reported a second time
     for (std::size_t v = 0; v < is_used.size(); ++v)
       if (!is_used[v]) loose.push_back(static_cast<int>(v));
     return loose;
@@ -160,7 +160,7 @@ class Geometry {
     const std::array<Point, 2> stays{p, p};
     const int nodes = static_cast<int>(spans_.nodes().size());
     const auto contact = find_contact({stays, nodes, nodes + 1}, curve(i));
-    if (!contact || !told_.insert(v).second) return;  // once, where spans join
+    if (!contact || !reported_.insert(v).second) return;  // where spans join, both find the vertex
     fault("/vertices/" + std::to_string(2 * v), describe_node(boundary_, spans_, v) + ", no curve's end, lies on " +
                                                     at_parameter(i, contact->t) +
                                                     ": divide the curve there, or leave the vertex out");
@@ -168,9 +168,9 @@ class Geometry {
 
   const BoundaryComplex& boundary_;
   BoundarySpans spans_;
-  std::set<int> told_;            // loose vertices
-  bool has_twins_ = false;        // vertices at the same point
-  std::vector<bool> is_regular_;  // of each curve
+  std::set<int> reported_;        // loose vertices
+  bool has_twins_ = false;        // some vertices are at the same point
+  std::vector<bool> is_regular_;  // for each curve, whether check_spans found no fault
   std::vector<std::pair<std::array<int, 2>, Point>> contacts_;
   std::vector<Fault> faults_;
 };

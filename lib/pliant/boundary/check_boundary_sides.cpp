@@ -26,8 +26,8 @@ std::pair<Polygon, Polygon> halves(std::span<const Point> polygon) {
   return {left, right};
 }
 
-/// How often a curve crosses the ray from the origin along x upwards, less how often downwards; y = 0 counts as above,
-/// so that curves which join on the ray cross it once.
+/// How often a curve crosses the ray from the origin along +x upwards, minus how often it does so downwards. y = 0
+/// counts as above, so that curves which join on the ray cross it once.
 int crossings(std::span<const Point> polygon, int depth = 0) {
   const auto above = [](const Point& q) { return q.y >= 0; };
   const auto all = [&](const auto& holds) { return std::all_of(polygon.begin(), polygon.end(), holds); };
@@ -39,7 +39,7 @@ int crossings(std::span<const Point> polygon, int depth = 0) {
   return crossings(left, depth + 1) + crossings(right, depth + 1);
 }
 
-/// The same of a curve that starts in the origin; its start does not count.
+/// The same for a curve that starts in the origin; its start does not count.
 int crossings_after_start(Polygon polygon) {
   int count = 0;
   for (int depth = 0; depth < deepest; ++depth) {
@@ -54,10 +54,10 @@ int crossings_after_start(Polygon polygon) {
   return count;
 }
 
-/// One of the axes' four directions.
+/// One of the four directions along the axes.
 struct Direction {
   Vector along;
-  /// With the origin at `start`, turned so that the ray runs along x; exact but for the difference.
+  /// The polygon relative to `start`, turned so that this direction becomes +x; only the difference is rounded.
   Polygon turned(std::span<const Point> polygon, const Point& start) const {
     Polygon result(polygon.begin(), polygon.end());
     for (Point& q : result) q = {dot(q - start, along), cross(along, q - start)};
@@ -65,7 +65,7 @@ struct Direction {
   }
 };
 
-/// Spans by the strips of the plane that they cross, to find those that a horizontal or vertical line meets.
+/// The spans in each of many parallel strips of the plane, to find those that a horizontal or vertical line meets.
 class Strips {
  public:
   Strips(const BoundarySpans& spans, bool horizontal) : horizontal_(horizontal) {
@@ -91,20 +91,20 @@ class Strips {
   std::vector<std::vector<int>> strips_;
 };
 
-/// How often each face counts at a place beside a curve.
+/// What a ray from a place beside a curve says about the face there: how often each face counts.
 struct Finding {
   Point place;
   double parameter = 0;
   bool on_left = false;
   int claimed = outside;     // what the curve says lies there
   std::map<int, int> faces;  // entries are not zero
-  int own_crossings = 0;     // of the curve itself by the ray
+  int own_crossings = 0;     // how often the ray crosses the curve itself, upwards minus downwards
 
   void count(int face, int times) {
     if (face == outside || times == 0) return;
     if ((faces[face] += times) == 0) faces.erase(face);
   }
-  /// The one face that counts once, `outside` if none counts; nothing if the curves contradict each other there.
+  /// The one face that counts once, or `outside` if none counts; empty if the curves contradict each other.
   std::optional<int> found() const {
     if (faces.empty()) return outside;
     if (faces.size() > 1 || faces.begin()->second != 1) return std::nullopt;
@@ -143,8 +143,8 @@ class Sides {
     return longest;
   }
 
-  /// What counts beside the middle of a span, in the direction of `sign` along the axis that is further from its
-  /// tangent.
+  /// Follows a ray from the middle of a span. It runs along the axis that is farther from the tangent, in the direction
+  /// of `sign`.
   Finding look(std::size_t own, double sign) const {
     const BoundarySpan& span = spans_[own];
     const Curve& curve = boundary_.curves[static_cast<std::size_t>(span.curve)];
@@ -163,7 +163,7 @@ class Sides {
       finding.count(crossed.right, -times);
       if (spans_[i].curve == span.curve) finding.own_crossings += times;
     };
-    // The first half is run backwards, which turns its crossings round.
+    // The first half is run backwards, which changes the signs of its crossings.
     Polygon backwards = ray.turned(before, finding.place);
     std::reverse(backwards.begin(), backwards.end());
     add(own, crossings_after_start(ray.turned(after, finding.place)) - crossings_after_start(std::move(backwards)));
@@ -183,7 +183,7 @@ class Sides {
            (ray.along.y > 0 ? box.high.y > start.y : box.low.y < start.y);
   }
 
-  /// Would this curve be right with left and right exchanged?
+  /// Whether this curve would be right with left and right exchanged.
   bool is_exchanged(int c, const Finding& finding) const {
     const Curve& curve = boundary_.curves[static_cast<std::size_t>(c)];
     Finding other = finding;
@@ -198,7 +198,7 @@ class Sides {
                                             [&](const Finding& finding) { return is_exchanged(c, finding); });
   }
 
-  /// A face whose curves are all the other way round is one fault.
+  /// If a face is on the wrong side of all its curves, reports that as one fault and takes the curves out of `wrong`.
   void report_face(int f, std::map<int, std::vector<Finding>>& wrong, std::vector<Fault>& faults) const {
     std::vector<int> around;
     double area = 0;
@@ -223,15 +223,15 @@ class Sides {
   }
 
   double swept_area(const BSpline& spline) const {
-    std::vector<Point> points = spline.points();  // near the origin: open curves' areas cancel less
+    std::vector<Point> points = spline.points();  // moved near the origin, where areas of open curves lose fewer digits
     for (Point& p : points) p -= spans_.nodes().front();
     return BSpline(spline.degree(), spline.closed(), spline.knots(), std::move(points)).area();
   }
 
-  /// How plain it is that a curve is wrong itself, rather than another that its ray crosses: 0 is most.
+  /// How doubtful it is that this curve is wrong, and not another one that its ray crosses; 0 is least.
   int doubt(int c, const Finding& finding) const { return is_exchanged(c, finding) ? 0 : finding.found() ? 1 : 2; }
 
-  /// The plainest ones only: others may be right once these are.
+  /// Reports only the curves that are wrong with the least doubt, because the others may be right once these are.
   void report_curves(const std::map<int, std::vector<Finding>>& wrong, std::vector<Fault>& faults) const {
     int least = 2;
     for (const auto& [c, findings] : wrong)

@@ -11,13 +11,16 @@
 namespace pliant {
 namespace {
 
-constexpr double least_margin = 1e-13;   // of the pair's size: above the rounding of subdivision
-constexpr double least_piece = 1e-11;    // of the pair's size: smaller pieces that are not apart meet
-constexpr double least_corner = 1e-9;    // of the shorter one: a common end is not looked at any closer
-constexpr double blurred_corner = 1e-7;  // and so near to it what is within the margin may be that of a tangent
-constexpr int deepest_self = 40;         // halvings towards a place where a curve stops
-constexpr int deepest_pair = 160;        // halvings of either curve: more than doubles tell apart, if they are finite
-constexpr long most_tests = 2'000'000;   // of one pair; curves that need more are as good as in contact
+// Relative to the size of the pair of curves:
+constexpr double least_margin = 1e-13;  // the distance of hulls that are apart; it is more than subdivision rounds
+constexpr double least_piece = 1e-11;   // pieces of this size that are not apart meet
+// Relative to the shorter curve, distances from a common end:
+constexpr double least_corner = 1e-9;    // curves are not compared any nearer to it
+constexpr double blurred_corner = 1e-7;  // nearer than this, curves that only have the same tangent seem to meet
+// Limits of the search:
+constexpr int deepest_self = 40;        // halvings of a curve; what is then not straight is a place where it stops
+constexpr int deepest_pair = 160;       // halvings of a pair of curves; doubles cannot tell more apart
+constexpr long most_tests = 2'000'000;  // tests of a pair of curves; a pair that needs more counts as in contact
 
 /// A part of one of the two curves.
 struct Piece {
@@ -33,6 +36,7 @@ struct Piece {
   Vector chord() const { return at(degree) - at(0); }
 };
 
+/// The whole curve as a piece, relative to an origin.
 Piece whole(const ContactCurve& curve, const Point& origin) {
   Piece piece{{}, static_cast<int>(curve.polygon.size()) - 1, 0, 1, curve.from, curve.to};
   for (int i = 0; i <= piece.degree; ++i) piece.at(i) = curve.polygon[static_cast<std::size_t>(i)] - origin;
@@ -65,7 +69,7 @@ double extent(const Piece& piece) {
 
 class Search {
  public:
-  /// First new node: all names of the curves' own ends lie below.
+  /// New ends become nodes from `first_node` on, which is above the nodes of the curves' own ends.
   explicit Search(int first_node) : next_node_(first_node) {}
 
   std::pair<Piece, Piece> halves(const Piece& piece) {
@@ -107,7 +111,8 @@ class Search {
   }
 
  private:
-  /// Every leg makes progress along the chord: no self-contact, and the derivative vanishes nowhere.
+  /// Whether every leg advances along the chord. Then the piece does not meet itself, and its derivative vanishes
+  /// nowhere.
   static bool runs_along_chord(const Piece& piece) {
     const Vector chord = piece.chord();
     for (int i = 1; i <= piece.degree; ++i) {
@@ -127,8 +132,9 @@ class Search {
     return std::nullopt;
   }
 
-  /// Both start in the same point; coordinates relative to it keep their relative precision all the way down. The
-  /// longer one is halved, or both: what a margin is of the longer may be much of the shorter.
+  /// Compares pieces that start in the same point. Coordinates relative to that point keep their relative precision,
+  /// however small the pieces become. The longer piece is halved, or both if they are about as long, so that the
+  /// margin, which is relative to the longer one, is small compared with both.
   std::optional<Contact> from_common_end(Piece a, Piece b) {
     const Point origin = a.at(0);
     shift(a, origin);
@@ -179,6 +185,7 @@ class Search {
   long tests_ = 0;
 };
 
+/// The first number above the nodes of a curve.
 int above(const ContactCurve& a) { return std::max(a.from, a.to) + 1; }
 
 }  // namespace

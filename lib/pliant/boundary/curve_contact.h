@@ -22,15 +22,15 @@ struct Contact {
   Kind kind;
   double s, t;  ///< parameters in [0, 1] on the first and on the second curve
   Point place;
-  int node = -1;  ///< of turns_back
+  int node = -1;  ///< the common node if they turn back there
 };
 
-/// The first contact found of two curves, by subdivision with separating lines. Curves that meet in a common node with
-/// tangent angle 0 are compared down to 1e-7 of the shorter one's length, or 1e-9 where the margin allows; if nothing
-/// else is found, that is `turns_back`.
+/// The first contact of two curves that is found, by subdivision with separating lines. Curves that leave a common node
+/// in the same direction are compared down to a distance from it of 1e-7 of the shorter one, or 1e-9 where rounding
+/// allows; if they do not meet there, their contact is `turns_back`.
 std::optional<Contact> find_contact(const ContactCurve& a, const ContactCurve& b);
 
-/// The same of one curve with itself; a parameter where the derivative vanishes counts as turns_back with node -1.
+/// The same for one curve with itself. A parameter where the derivative vanishes counts as `turns_back` with node -1.
 std::optional<Contact> find_self_contact(const ContactCurve& a);
 
 }  // namespace pliant

@@ -13,13 +13,15 @@
 namespace pliant {
 namespace {
 
-constexpr double corner_tolerance = 1e-10;  // of the distance from a common end
-constexpr double corner_margin = 1e-13;     // radians
-constexpr double blurred_corner = 1e-5;     // of the shorter: closer to a cusp's tip its sides may cross, not coincide
-constexpr double least_corner = 1e-8;       // and are not compared any closer to it
-constexpr double crossing_tolerance = 1e-14;  // of the distance from the tip, where they may cross
-constexpr int most_pairs = 4000;
-constexpr double least_gain = 0.8;  // clipping that leaves more than this is followed by halving
+// Near a common end, which may be the tip of a cusp:
+constexpr double corner_margin = 1e-13;       // radians; curves that leave it at a greater angle are apart
+constexpr double corner_tolerance = 1e-10;    // the tolerance, relative to the distance from the end
+constexpr double blurred_corner = 1e-5;       // nearer, relative to the shorter curve, only crossings are looked for
+constexpr double crossing_tolerance = 1e-14;  // the tolerance for these, relative to the distance from the end
+constexpr double least_corner = 1e-8;         // nearer, relative to the shorter curve, nothing is compared
+
+constexpr int most_pairs = 4000;    // pairs of parts that are looked at
+constexpr double least_gain = 0.8;  // a curve of which clipping would leave more is halved instead
 constexpr int newton_steps = 12;
 
 using Polygon = std::array<Point, max_curve_degree + 1>;
@@ -53,8 +55,8 @@ Part whole(std::span<const Point> polygon, const Point& origin) {
   return part;
 }
 
-/// The interval of [0, 1] outside of which a polynomial with these Bernstein coefficients lies outside of [low, high]:
-/// the hull of its control points (i / p, d_i), cut with that band. Empty: first > second.
+/// The interval of [0, 1] outside of which a polynomial with Bernstein coefficients d lies outside of [low, high]:
+/// where the hull of its control points (i / p, d_i) meets that band. first > second if it is empty.
 std::pair<double, double> clip_to_band(std::span<const double> d, double low, double high) {
   const auto p = d.size() - 1;
   double first = 2, last = -1;
@@ -74,6 +76,7 @@ std::pair<double, double> clip_to_band(std::span<const double> d, double low, do
   return {first, last};
 }
 
+/// Looks for all meetings of two curves.
 class MeetingSearch {
  public:
   std::vector<Meeting> found;
@@ -121,6 +124,7 @@ class MeetingSearch {
         if (const auto u = on(a, b.at(v == 0 ? 0 : b.degree), tolerance_)) report(a, *u, b, v);
   }
 
+  /// The parameter of the point of `part` nearest to p, if it is within the tolerance.
   static std::optional<double> on(const Part& part, const Point& p, double tolerance) {
     const Box box = part.box();
     if (p.x < box.low.x - tolerance || p.x > box.high.x + tolerance || p.y < box.low.y - tolerance ||
@@ -131,7 +135,7 @@ class MeetingSearch {
     return std::nullopt;
   }
 
-  /// No leg of one is parallel to any of the other: the curves meet once at most.
+  /// Whether no leg of one is parallel to a leg of the other, so that the curves meet at most once.
   static bool is_transversal(const Part& a, const Part& b) {
     int sign = 0;
     for (int i = 0; i < a.degree; ++i) {
@@ -149,7 +153,7 @@ class MeetingSearch {
     return sign != 0;
   }
 
-  /// Of curves that meet once at most; false: the iteration found nothing.
+  /// Reports the meeting of curves that meet at most once; false if Newton's method finds none.
   bool refine(const Part& a, const Part& b) {
     double u = 0.5, v = 0.5;
     for (int step = 0; step < newton_steps; ++step) {
@@ -171,7 +175,8 @@ class MeetingSearch {
     return true;
   }
 
-  /// Do the curves run along each other, from an end of one to an end of one, within twice the tolerance?
+  /// Reports where two curves begin and end to run along each other: at ends of one or the other, and within twice the
+  /// tolerance in between. False if they do not run along each other.
   bool coincide(const Part& a, const Part& b) {
     struct Pair {
       double u, v;
@@ -189,7 +194,7 @@ class MeetingSearch {
     if (distance(bezier_point(a.polygon(), low->u), bezier_point(a.polygon(), high->u)) <= tolerance_) return false;
     const int samples = 2 * (a.degree + b.degree) + 1;
     for (int i = 1; i < samples; ++i) {
-      // The middle comes early: curves that part are known by it.
+      // Samples near the middle come first, because curves that do not coincide are farthest apart there.
       const double where = static_cast<double>(i % 2 == 1 ? (samples + i) / 2 : (samples - i + 1) / 2) / samples;
       if (!on(b, bezier_point(a.polygon(), low->u + where * (high->u - low->u)), reach)) return false;
     }
@@ -198,6 +203,7 @@ class MeetingSearch {
     return true;
   }
 
+  /// Reports all meetings of two parts that have no common end.
   void meet(const Part& a, const Part& b) {
     if (hulls_apart(a.polygon(), b.polygon(), tolerance_)) return;
     const double extent_a = a.extent(), extent_b = b.extent();
@@ -242,7 +248,8 @@ class MeetingSearch {
     next(a.part(0.5, 1), b);
   }
 
-  /// Both start in the same point. Coordinates relative to it keep their relative precision all the way down.
+  /// Reports all meetings of curves that start in the same point, except that point. Coordinates relative to it keep
+  /// their relative precision, however near to it they are.
   void from_common_end(Part a, Part b) {
     const double tolerance = tolerance_;
     const Point origin = a.at(0);
@@ -276,7 +283,7 @@ class MeetingSearch {
 
   double tolerance_ = 0;
   int pairs_ = 0;
-  bool crossings_only_ = false;  // so near to a cusp's tip what is close or undecided is no meeting
+  bool crossings_only_ = false;  // near the tip of a cusp, where curves that are only close do not meet
 };
 
 }  // namespace

@@ -13,7 +13,7 @@ namespace {
 
 using Polygon = std::array<Point, max_curve_degree + 1>;
 
-/// Appends the roots in (from, to) of the polynomial with these Bernstein coefficients on it; destroys them.
+/// Appends the roots in (from, to) of the polynomial that has the Bernstein coefficients c on this interval.
 void append_roots(std::vector<double> c, double from, double to, int depth, std::vector<double>& roots) {
   int changes = 0;
   double sign = 0;
@@ -31,7 +31,7 @@ void append_roots(std::vector<double> c, double from, double to, int depth, std:
     left[r] = c[0];
     for (std::size_t i = 0; i + r + 1 < c.size(); ++i) c[i] = 0.5 * (c[i] + c[i + 1]);
   }
-  // What is left in c is the right half, back to front in time: c[i] is its coefficient i.
+  // c holds the coefficients of the right half now.
   append_roots(std::move(left), from, middle, depth + 1, roots);
   append_roots(std::move(c), middle, to, depth + 1, roots);
 }
@@ -58,7 +58,7 @@ void bezier_part(std::span<const Point> polygon, double t0, double t1, std::span
     std::reverse_copy(polygon.begin(), polygon.end(), out.begin());
   } else {
     Polygon work;
-    for (std::size_t k = 0; k <= p; ++k) {  // the blossom at p - k times t0 and k times t1
+    for (std::size_t k = 0; k <= p; ++k) {  // the blossom with t0 as p - k of its arguments and t1 as k of them
       std::copy(polygon.begin(), polygon.end(), work.begin());
       for (std::size_t r = 0; r < p; ++r) {
         const double t = r < k ? t1 : t0;
@@ -80,7 +80,8 @@ Nearest nearest_on_curve(std::span<const Point> polygon, const Point& p) {
     return true;
   };
   for (int i = 0; i <= samples; ++i) try_at(static_cast<double>(i) / samples);
-  // Gauss-Newton on the distance, which is small where it matters; steps that do not come nearer are halved.
+  // Gauss-Newton steps on the distance, which converge fast where it is small. Steps that do not come nearer are
+  // halved.
   for (int step = 0; step < 30; ++step) {
     const CurveJet jet = bezier_jet(polygon, best);
     const double speed = squared_length(jet.derivative);

@@ -1,5 +1,4 @@
-// lib/pliant/boundary/curve_points.h: points and parts of one Bézier curve, the point nearest to another, monotone
-// pieces.
+// lib/pliant/boundary/curve_points.h: points, parts, nearest points and monotone pieces of one Bézier curve.
 #pragma once
 #include <span>
 #include <vector>
@@ -8,7 +7,7 @@
 
 namespace pliant {
 
-/// The curve's point nearest to p.
+/// The point of a curve that is nearest to p: its parameter, and its distance from p.
 struct Nearest {
   double t;
   double distance;
@@ -22,12 +21,13 @@ struct CurveJet {
 };
 CurveJet bezier_jet(std::span<const Point> polygon, double t);
 
-/// The value at t, and the control points of the part [t0, t1] (as many as `polygon`; t1 < t0: reversed).
+/// The value at t, and the control points of the part between t0 and t1, as many as `polygon` has. If t1 < t0 the part
+/// is reversed.
 Point bezier_point(std::span<const Point> polygon, double t);
 void bezier_part(std::span<const Point> polygon, double t0, double t1, std::span<Point> out);
 
-/// The parameters in (0, 1), ascending, that cut a Bézier curve into pieces monotone in x and in y, none of them with
-/// an extent (of its control polygon) below `least`; coordinates smaller than `least` apart count as equal.
+/// The ascending parameters in (0, 1) that cut a Bézier curve into pieces monotone in x and in y. No cut is made that
+/// would leave a piece whose control polygon is smaller than `least`; legs of 1/16 of that, in x or in y, count as 0.
 std::vector<double> monotone_cuts(std::span<const Point> polygon, double least);
 
 }  // namespace pliant

@@ -7,11 +7,12 @@
 namespace pliant {
 namespace {
 
+/// Whether a line with this normal separates the polygons by more than `margin`.
 bool separates(const Vector& normal, std::span<const Point> a, std::span<const Point> b, double margin) {
   const double scale = length(normal);
   if (!(scale > 0)) return false;
   double low_a = HUGE_VAL, high_a = -HUGE_VAL, low_b = HUGE_VAL, high_b = -HUGE_VAL;
-  const Point origin = a.front();  // far from the real one products of coordinates would round the difference away
+  const Point origin = a.front();  // relative to the true origin, far away, rounding would exceed the difference
   for (const Point& p : a) {
     const double s = dot(normal, p - origin);
     low_a = std::min(low_a, s);
@@ -47,7 +48,8 @@ bool cones_apart(std::span<const Point> a, std::span<const Point> b, double marg
   if (!(length_a > 0) || !(length_b > 0)) return false;
   along_a = along_a / length_a;
   along_b = along_b / length_b;
-  // Normal to the bisector; where the two are nearly opposite the bisector is lost, their difference is not.
+  // The normal of the line is normal to the bisector of both directions. Where they are nearly opposite, rounding
+  // leaves nothing of the bisector, which is their sum; but their difference has the same direction as its normal.
   Vector normal = dot(along_a, along_b) > 0 ? perpendicular(along_a + along_b) : along_a - along_b;
   if (dot(normal, along_a) < dot(normal, along_b)) normal = -normal;
   const double scale = length(normal);

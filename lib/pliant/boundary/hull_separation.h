@@ -6,12 +6,13 @@
 
 namespace pliant {
 
-/// True if a line normal to a leg or chord of either polygon, or to an axis, separates the two hulls by more than
-/// `margin` (length). For hulls of at most three points this finds every separation.
+/// True if the two hulls are more than `margin` (a length) apart across a line that is parallel to an axis, to a leg or
+/// to the chord of either polygon, or normal to a chord. For hulls of at most three points this finds every separation.
 bool hulls_apart(std::span<const Point> a, std::span<const Point> b, double margin);
 
-/// For polygons that start in the same point: true if a line through it separates all the others of `a` from all the
-/// others of `b`, strictly, as an angle above `margin` (radians). The curves then meet in that point only.
+/// For polygons that start in the same point: true if a line through that point separates the other points of `a` from
+/// those of `b`, and the angle between the line and the way to any of them is above `margin` (radians). The curves then
+/// meet in that point only.
 bool cones_apart(std::span<const Point> a, std::span<const Point> b, double margin);
 
 /// The hull's height over the chord: the greatest distance of a control point from the line through the ends.

@@ -1,4 +1,4 @@
-// lib/pliant/geometry/bernstein.cpp: by the definitions, with exact binomials.
+// lib/pliant/geometry/bernstein.cpp: products, integrals and derivatives by their definitions, with exact binomials.
 #include "pliant/geometry/bernstein.h"
 
 #include <algorithm>
@@ -23,7 +23,7 @@ Powers powers(double x, int degree) {
   return result;
 }
 
-/// Binomial coefficients (degree over k), by exact steps (below 2^53 up to degree 56).
+/// Binomial coefficients (degree choose k). Every step is exact, because all products stay below 2^53.
 Powers binomials(int degree) {
   assert(degree <= max_net_degree);
   Powers result;
@@ -73,33 +73,34 @@ void bernstein_basis(int degree, const Barycentric& xi, std::span<double> values
 void multiply_segment(int p, std::span<const double> a, int q, std::span<const double> b, std::span<double> product) {
   assert(a.size() >= index(p + 1) && b.size() >= index(q + 1) && product.size() >= index(p + q + 1));
   assert(product.data() != a.data() && product.data() != b.data());
-  const Powers of_a = binomials(p);
-  const Powers of_b = binomials(q);
-  const Powers of_product = binomials(p + q);
+  const Powers binomials_a = binomials(p);
+  const Powers binomials_b = binomials(q);
+  const Powers binomials_product = binomials(p + q);
   std::fill_n(product.begin(), p + q + 1, 0.0);
   for (int m = 0; m <= p; ++m)
     for (int n = 0; n <= q; ++n)
-      product[index(m + n)] += (of_a[index(m)] * a[index(m)]) * (of_b[index(n)] * b[index(n)]);
-  for (int k = 0; k <= p + q; ++k) product[index(k)] /= of_product[index(k)];
+      product[index(m + n)] += (binomials_a[index(m)] * a[index(m)]) * (binomials_b[index(n)] * b[index(n)]);
+  for (int k = 0; k <= p + q; ++k) product[index(k)] /= binomials_product[index(k)];
 }
 
 void multiply_triangle(int p, std::span<const double> a, int q, std::span<const double> b, std::span<double> product) {
-  const NetLayout& of_a = NetLayout::of(p);
-  const NetLayout& of_b = NetLayout::of(q);
-  const NetLayout& of_product = NetLayout::of(p + q);
-  assert(a.size() >= index(of_a.size()) && b.size() >= index(of_b.size()) &&
-         product.size() >= index(of_product.size()));
+  const NetLayout& layout_a = NetLayout::of(p);
+  const NetLayout& layout_b = NetLayout::of(q);
+  const NetLayout& layout_product = NetLayout::of(p + q);
+  assert(a.size() >= index(layout_a.size()) && b.size() >= index(layout_b.size()) &&
+         product.size() >= index(layout_product.size()));
   assert(product.data() != a.data() && product.data() != b.data());
-  std::fill_n(product.begin(), of_product.size(), 0.0);
-  for (int m = 0; m < of_a.size(); ++m) {
-    const auto& e = of_a.exponents(m);
-    const double factor = of_a.multinomial(m) * a[index(m)];
-    for (int n = 0; n < of_b.size(); ++n) {
-      const auto& f = of_b.exponents(n);
-      product[index(of_product.index(e[0] + f[0], e[1] + f[1]))] += factor * (of_b.multinomial(n) * b[index(n)]);
+  std::fill_n(product.begin(), layout_product.size(), 0.0);
+  for (int m = 0; m < layout_a.size(); ++m) {
+    const auto& e = layout_a.exponents(m);
+    const double factor = layout_a.multinomial(m) * a[index(m)];
+    for (int n = 0; n < layout_b.size(); ++n) {
+      const auto& f = layout_b.exponents(n);
+      const int k = layout_product.index(e[0] + f[0], e[1] + f[1]);
+      product[index(k)] += factor * (layout_b.multinomial(n) * b[index(n)]);
     }
   }
-  for (int k = 0; k < of_product.size(); ++k) product[index(k)] /= of_product.multinomial(k);
+  for (int k = 0; k < layout_product.size(); ++k) product[index(k)] /= layout_product.multinomial(k);
 }
 
 double integrate_segment(int degree, std::span<const double> a) {

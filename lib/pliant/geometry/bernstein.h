@@ -5,22 +5,24 @@
 #include "pliant/geometry/net_layout.h"
 #include "pliant/geometry/point.h"
 
-// On the triangle coefficients stand in the order of NetLayout.
+// The coefficients of a polynomial on the triangle are in the order of NetLayout.
 namespace pliant {
 
-/// B^p_k(s), k = 0..p; and B^p_ijk(xi) in the order of NetLayout.
+/// The values of all basis functions of one degree p: B^p_k(s) for k = 0..p, and B^p_ijk(xi) in the order of NetLayout.
 void bernstein_basis(int degree, double s, std::span<double> values);
 void bernstein_basis(int degree, const Barycentric& xi, std::span<double> values);
 
-/// Product, of degree p + q.
+/// The coefficients of the product of a (degree p) and b (degree q), which has degree p + q.
+/// Requires    `product` shares no memory with a or b
 void multiply_segment(int p, std::span<const double> a, int q, std::span<const double> b, std::span<double> product);
 void multiply_triangle(int p, std::span<const double> a, int q, std::span<const double> b, std::span<double> product);
 
-/// Integral over [0, 1] (the mean coefficient) and over the unit right triangle (half of it).
+/// The integral over [0, 1], which is the mean coefficient, and over the unit right triangle, which is half the mean.
 double integrate_segment(int degree, std::span<const double> a);
 double integrate_triangle(int degree, std::span<const double> a);
 
-/// Derivative, of degree p - 1; on the triangle along (xi2, xi3) with xi1 = 1 - xi2 - xi3.
+/// The coefficients of the derivative, which has degree p - 1. On the triangle there are two: with respect to xi2 and
+/// to xi3, where xi1 = 1 - xi2 - xi3.
 void differentiate_segment(int degree, std::span<const double> a, std::span<double> derivative);
 void differentiate_triangle(int degree, std::span<const double> a, std::span<double> along_2,
                             std::span<double> along_3);

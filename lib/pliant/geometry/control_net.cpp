@@ -12,7 +12,7 @@
 namespace pliant {
 namespace {
 
-/// Rows to work on: on the stack up to the sizes promised in the header.
+/// Scratch rows, on the stack for the sizes for which the header promises that nothing is allocated.
 class WorkRows {
  public:
   WorkRows(int rows, int width) {
@@ -34,7 +34,7 @@ class WorkRows {
   return size >= static_cast<std::size_t>(rows) * static_cast<std::size_t>(width);
 }
 
-/// The corner at which w stands exactly, or -1.
+/// The corner (0, 1 or 2) that w is exactly, or -1 if w is no corner.
 int corner_of(const Barycentric& w) {
   if (w[0] == 1 && w[1] == 0 && w[2] == 0) return 0;
   if (w[1] == 1 && w[0] == 0 && w[2] == 0) return 1;
@@ -42,7 +42,8 @@ int corner_of(const Barycentric& w) {
   return -1;
 }
 
-/// out = w1 a + w2 b + w3 c; at a corner the row itself, without arithmetic. `out` may be a.
+/// out = w1 a + w2 b + w3 c. If w is a corner, `out` is a copy of that corner's row, without arithmetic. `out` may be
+/// the same memory as `a`.
 void combine(const Barycentric& w, int corner, int width, const double* a, const double* b, const double* c,
              double* out) {
   if (corner >= 0) {
@@ -53,10 +54,10 @@ void combine(const Barycentric& w, int corner, int width, const double* a, const
   for (int x = 0; x < width; ++x) out[x] = w[0] * a[x] + w[1] * b[x] + w[2] * c[x];
 }
 
-/// One step of de Casteljau, in place: rows of degree `degree` in lattice order become rows of degree - 1.
+/// One step of de Casteljau, in place: a net of degree `degree`, in lattice order, becomes a net of degree - 1.
 void step(int degree, int width, const Barycentric& w, double* rows) {
   const int corner = corner_of(w);
-  if (corner == 0) return;  // the leading entries are the result
+  if (corner == 0) return;  // the first rows are the result already
   double* out = rows;
   for (int r = 0; r < degree; ++r) {
     for (int k = 0; k <= r; ++k, out += width) {
@@ -74,9 +75,11 @@ void to_lattice(int degree, int width, std::span<const double> net, double* rows
   }
 }
 
-constexpr int linear_nets[3][3] = {{0, 3, 5}, {3, 1, 4}, {5, 4, 2}};  // p = 2: the rows weighted by xi1, xi2, xi3
+/// For p = 2: the three rows from which de Casteljau's first step makes each row of degree 1, with weights xi1, xi2,
+/// xi3.
+constexpr int linear_nets[3][3] = {{0, 3, 5}, {3, 1, 4}, {5, 4, 2}};
 
-/// p = 2: the first step of de Casteljau, three rows; no rows to reorder.
+/// For p = 2: the first step of de Casteljau, which makes three rows. It needs no lattice order.
 void step_quadratic(int width, const double* net, const Barycentric& w, double* linear) {
   const int corner = corner_of(w);
   for (int n = 0; n < 3; ++n) {
@@ -85,9 +88,9 @@ void step_quadratic(int width, const double* net, const Barycentric& w, double* 
   }
 }
 
-/// p = 2, where most meshes live: nine combinations.
+/// sub_net for p = 2, the degree of most meshes, in 15 combinations of three rows.
 void sub_quadratic(int width, const double* net, const std::array<const Barycentric*, 3>& corners, double* out) {
-  constexpr int targets[3][3] = {{0, 3, 5}, {-1, 1, 4}, {-1, -1, 2}};
+  constexpr int targets[3][3] = {{0, 3, 5}, {-1, 1, 4}, {-1, -1, 2}};  // the row that corners m <= n determine
   WorkRows work(3, width);
   double* linear = work.data();
   for (int m = 0; m < 3; ++m) {
@@ -145,7 +148,7 @@ void sub_net(int degree, int width, std::span<const double> net, const Barycentr
   assert(has_size(net.size(), net_size(degree), width) && has_size(out.size(), net_size(degree), width));
   assert(net.data() != out.data());
   if (degree == 2) return sub_quadratic(width, net.data(), {&a, &b, &c}, out.data());
-  // The entry (i, j, k) is the blossom at i times a, j times b, k times c.
+  // Row (i, j, k) is the blossom with a as i of its arguments, b as j of them and c as k.
   const NetLayout& layout = NetLayout::of(degree);
   WorkRows after_a(net_size(degree), width);
   WorkRows after_b(net_size(degree), width);

@@ -7,19 +7,19 @@
 
 // A *net* here is net_size(degree) rows of `width` doubles, row-major, rows in the order of NetLayout; a *polygon* is
 // degree + 1 rows. A row is one control value: x, y, then every carried field. Width 1 is a scalar polynomial.
-// Nothing here allocates for degree <= max_degree and width <= 16 (larger widths may).
+// For degree <= max_degree and width <= 16 no function here allocates, apart from tables built once for each degree.
 namespace pliant {
 
 /// The value (width doubles) of the net's polynomial at `xi`, by de Casteljau.   Complexity O(width * degree^3)
 void evaluate_net(int degree, int width, std::span<const double> net, const Barycentric& xi, std::span<double> value);
 
-/// The same, with the partial derivatives along (xi2, xi3) on the unit right triangle, xi1 = 1 - xi2 - xi3.
+/// The same, with the partial derivatives with respect to xi2 and xi3, where xi1 = 1 - xi2 - xi3.
 void evaluate_net(int degree, int width, std::span<const double> net, const Barycentric& xi, std::span<double> value,
                   std::span<double> along_2, std::span<double> along_3);
 
 /// The net of the same polynomial on the triangle with corners a, b, c (in barycentric coordinates of the net's own
-/// triangle), by blossoming. Where a coordinate is exactly 1 (a corner is kept) no arithmetic touches what it selects:
-/// kept corners are copied bit for bit.
+/// triangle), by blossoming. A corner that is exactly a corner of the net's own triangle is kept: its row is copied bit
+/// for bit, without arithmetic.
 void sub_net(int degree, int width, std::span<const double> net, const Barycentric& a, const Barycentric& b,
              const Barycentric& c, std::span<double> out);
 
@@ -30,13 +30,13 @@ void split_polygon(int degree, int width, std::span<const double> polygon, doubl
 /// The value of a Bézier polygon at s.
 void evaluate_polygon(int degree, int width, std::span<const double> polygon, double s, std::span<double> value);
 
-/// Degree elevation by one.
+/// Degree elevation by one: `out` receives the rows of the same polynomial, written with degree + 1.
 void elevate_net(int degree, int width, std::span<const double> net, std::span<double> out);
 void elevate_polygon(int degree, int width, std::span<const double> polygon, std::span<double> out);
 
-/// Bézier form from values at equally spaced nodes. Corners (ends) are taken over bit for bit. The net variant keeps
-/// the edges' control values as they are in `net` and only replaces the interior rows: on entry the interior rows hold
-/// values at the lattice nodes, on return control values.
+/// Turns values at equally spaced nodes into control values, in place. The ends of a polygon stay bit for bit. In a net
+/// only the interior rows change: on entry they hold values at the lattice nodes, on return control values. The rows of
+/// corners and edges must be control values already.
 void interpolate_polygon(int degree, int width, std::span<double> polygon);
 void interpolate_interior(int degree, int width, std::span<double> net);
 

@@ -10,7 +10,7 @@
 namespace pliant {
 namespace {
 
-constexpr int enough_digits = 17;  // any two doubles differ
+constexpr int enough_digits = 17;  // with as many, any two different doubles look different
 
 std::string with_digits(double value, int digits) {
   std::array<char, 40> text;
@@ -18,7 +18,7 @@ std::string with_digits(double value, int digits) {
   return text.data();
 }
 
-/// The fewest digits, at least `digits`, with which all that differ look different.
+/// The fewest digits, at least `digits`, with which all different values look different.
 int digits_for(std::vector<double> values, int digits) {
   std::sort(values.begin(), values.end());
   values.erase(std::unique(values.begin(), values.end()), values.end());
@@ -40,7 +40,7 @@ std::string describe_point(const Point& p) { return "(" + describe_number(p.x) +
 
 std::string describe_number(double value, double resolution) {
   if (!(std::fabs(value) >= resolution)) return "0";
-  // The digit that stands for the resolution is the last.
+  // The last digit is the one with the resolution's power of ten.
   const double digits = std::floor(std::log10(std::fabs(value))) - std::floor(std::log10(resolution)) + 1;
   if (!(digits < enough_digits)) return describe_number(value);
   return with_digits(value, static_cast<int>(digits));

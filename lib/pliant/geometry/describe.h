@@ -8,18 +8,19 @@
 
 namespace pliant {
 
-/// "(0.25, 1)", in the shortest form that reads back.
+/// For example "(0.25, 1)"; each number in the shortest form that reads back as the same double.
 std::string describe_point(const Point& p);
 std::string describe_number(double value);
-/// The same of values of which no digits beyond a resolution are wanted. Places in a mesh: 1e-6 of its size, so that
-/// far from the origin they have as many digits as tell them apart.
+/// The same, without digits smaller than `resolution`. For a place in a mesh that is 1e-6 of the mesh's size: places
+/// far from the origin then keep the digits that tell them apart.
 std::string describe_point(const Point& p, double resolution);
 std::string describe_number(double value, double resolution);
 
-inline constexpr double place_resolution = 1e-6;  ///< of the size of what holds the place
+/// The resolution for places in a mesh or a boundary, relative to its size.
+inline constexpr double place_resolution = 1e-6;
 
-/// Numbers that stand beside each other, all with the same count of significant digits: the fewest, at least `digits`,
-/// that tell each from every other one that is not equal to it.
+/// Numbers that will stand beside each other, all with the same count of significant digits: the fewest, at least
+/// `digits`, with which different numbers look different.
 std::vector<std::string> describe_apart(std::span<const double> values, int digits = 6);
 
 }  // namespace pliant

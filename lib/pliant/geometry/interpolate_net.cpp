@@ -26,14 +26,16 @@ std::vector<double> inverse(int n, const std::vector<double>& matrix) {
   return result;
 }
 
-/// Interior control values = inverse * (interior nodal values - boundary * boundary control values).
+/// The solution of the interpolation problem of one degree:
+/// interior control values = inverse_matrix * (interior nodal values - boundary_matrix * boundary control values).
 struct Collocation {
-  int interior = 0, boundary = 0;
+  int interior = 0, boundary = 0;       // how many control values of each kind
   std::vector<double> inverse_matrix;   // interior x interior
   std::vector<double> boundary_matrix;  // interior x boundary
 };
 
-/// `basis` at each interior node; the first `boundary` basis functions are the known ones.
+/// `basis` holds one row for each interior node: the values there of all basis functions. The control values of the
+/// first `boundary` basis functions are known.
 Collocation collocate(int boundary, const std::vector<std::vector<double>>& basis) {
   Collocation result;
   result.boundary = boundary;
@@ -47,7 +49,7 @@ Collocation collocate(int boundary, const std::vector<std::vector<double>>& basi
   return result;
 }
 
-/// Both ends come first.
+/// The boundary of a polygon is its two ends: their basis functions come first in each row.
 Collocation collocate_polygon(int degree) {
   std::vector<std::vector<double>> basis;
   for (int k = 1; k < degree; ++k) {
@@ -90,8 +92,8 @@ void interpolate_polygon(int degree, int width, std::span<double> polygon) {
   const Collocation& c = collocation<collocate_polygon>(degree);
   std::array<double, max_degree> rest;
   for (int x = 0; x < width; ++x) {
-    // Only the departure from the chord is multiplied by the inverse: a straight edge stays straight, and far from the
-    // origin nothing is lost.
+    // Only the departure from the chord is multiplied by the inverse. So a straight edge stays straight, and no digits
+    // are lost far from the origin.
     const double first = polygon[index(x)];
     const double last = polygon[index(degree * width + x)];
     const auto chord = [&](int k) { return ((degree - k) * first + k * last) / degree; };
@@ -111,7 +113,7 @@ void interpolate_interior(int degree, int width, std::span<double> net) {
   const NetLayout& layout = NetLayout::of(degree);
   std::array<double, interior_size(max_degree)> rest;
   for (int x = 0; x < width; ++x) {
-    // Departures from the straight triangle, for the same reason as above.
+    // Only departures from the straight triangle are multiplied, for the reason given in interpolate_polygon.
     const auto value = [&](int n) -> double& { return net[index(n * width + x)]; };
     const auto flat = [&](int n) {
       const auto [i, j, k] = layout.exponents(n);

@@ -14,8 +14,8 @@
 namespace pliant {
 namespace {
 
-/// The element as rows of two doubles, relative to an origin: near the point looked for nothing is lost to the rounding
-/// of coordinates, wherever the element lies.
+/// The map chi of an element, relative to an origin. With the point sought as the origin, the rounding of large
+/// coordinates costs no digits near that point, wherever the element lies.
 class Map {
  public:
   Map(int degree, std::span<const Point> net, const Point& origin = {}) : degree_(degree) {
@@ -62,7 +62,8 @@ bool is_within(const Barycentric& xi, double reach) {
   return std::ranges::all_of(xi, [reach](double x) { return x >= -reach && x <= 1 + reach; });
 }
 
-/// The nearest of the same direction from the centre, at most `reach` outside.
+/// xi itself if no coordinate is below -reach; otherwise the last point for which this holds on the way from the centre
+/// to xi.
 Barycentric pull_inside(Barycentric xi, double reach) {
   const double least = std::ranges::min(xi);
   if (least >= -reach) return xi;
@@ -103,13 +104,15 @@ std::optional<Barycentric> newton(const Map& map, const Point& p, double toleran
         residual = next_residual;
       }
     }
-    if (was_reached || !is_better) break;  // one step beyond the tolerance: nearly free, and then rounding is all
+    // One step is made beyond the tolerance: it costs next to nothing and leaves little more than rounding.
+    if (was_reached || !is_better) break;
   }
   if (residual <= tolerance && is_within(xi, reach + 1e-12)) return xi;
   return std::nullopt;
 }
 
-/// Inside up to rounding, or moved to the boundary where that is still p up to the tolerance.
+/// xi if it is inside up to rounding; otherwise xi moved to the boundary, if it then still maps to p within the
+/// tolerance.
 std::optional<Barycentric> clamped(const Map& map, const Point& p, double tolerance, Barycentric xi) {
   if (std::ranges::min(xi) >= -1e-12) return xi;
   double sum = 0;
@@ -123,6 +126,7 @@ Barycentric mean(const Barycentric& a, const Barycentric& b) {
   return {(a[0] + b[0]) / 2, (a[1] + b[1]) / 2, (a[2] + b[2]) / 2};
 }
 
+/// How bisect_net takes the mean of two control points.
 struct PointMean {
   static void add(Point& a, const Point& b) { a = 0.5 * (a + b); }
   static void align(Point&, int) {}
@@ -130,12 +134,13 @@ struct PointMean {
 
 constexpr double unit_roundoff = 0x1p-53;
 
-/// A part of an element; its control points are relative to p, which is the origin here.
+/// A piece of an element. Its control points are relative to the point sought, which is the origin here.
 struct Piece {
   std::array<Barycentric, 3> corners;
-  double error;  // of each coordinate of its control points
+  double error;  // bound of the rounding error in each coordinate of its control points
 };
 
+/// Questions to the control points of a piece.
 class PieceTest {
  public:
   PieceTest(int degree, std::span<const Point> lattice_net, double error)
@@ -151,15 +156,15 @@ class PieceTest {
   /// Greatest |coordinate| of the control points.
   double greatest() const { return greatest_; }
 
-  /// Whether a line separates the origin from all control points, by more than rounding can account for. It runs along
-  /// an axis, along a side of the piece's straight triangle, which leaves pieces of any slenderness few neighbours, or
-  /// across the direction to the piece, which ends the search where pieces are small.
+  /// Whether a line separates the origin from all control points, by more than rounding can account for. The lines
+  /// tried run along the axes; along the sides of the piece's straight triangle, so that even slender pieces are
+  /// separated unless they are near; and across the direction to the piece, which separates all small pieces.
   bool is_separated() const {
     return separates({1, 0}) || separates({0, 1}) || separates(perpendicular(b_ - a_)) ||
            separates(perpendicular(c_ - b_)) || separates(perpendicular(a_ - c_)) || separates(a_ + b_ + c_);
   }
 
-  /// Whether the map differs so little from the straight one that Newton converges from there.
+  /// Whether the piece differs so little from its straight triangle that Newton converges from the coordinates there.
   bool is_flat() const {
     const Vector ab = b_ - a_, ac = c_ - a_, bc = c_ - b_;
     const double most = 0.25 * std::fabs(cross(ab, ac));
@@ -180,7 +185,8 @@ class PieceTest {
   }
 
  private:
-  /// The computed product with a control point is wrong by at most |d|_1 (error + 3u greatest).
+  /// Whether all control points are on one side of the line through the origin perpendicular to d. A computed product
+  /// with a control point is wrong by at most (|d.x| + |d.y|) (error + 3u greatest); the margin is somewhat more.
   bool separates(const Vector& d) const {
     const double margin = (std::fabs(d.x) + std::fabs(d.y)) * (error_ + 4 * unit_roundoff * greatest_);
     if (dot(d, net_[0]) > margin) return std::ranges::all_of(net_, [&](const Point& q) { return dot(d, q) > margin; });
@@ -194,7 +200,8 @@ class PieceTest {
   Point a_, b_, c_;
 };
 
-/// By bisection; `net` is relative to the point looked for and scaled, in lattice order.
+/// The part of find_in_element that bisects. `map` and `net` are relative to the point sought, and scaled; `net` is in
+/// lattice order.
 ElementSearch search_pieces(const Map& map, std::span<const Point> net, double tolerance) {
   constexpr int most_pieces = 20000;
   const Point origin{0, 0};
@@ -247,12 +254,14 @@ ElementSearch find_in_element(int degree, std::span<const Point> net, const Poin
   for (const Point& q : net.first(n)) box.extend(q);
   const double reach = std::max({box.high.x - p.x, p.x - box.low.x, box.high.y - p.y, p.y - box.low.y});
   if (reach == 0) return {SearchAnswer::found, {1.0 / 3, 1.0 / 3, 1.0 / 3}};
-  // Nearer than this Newton's answer may still lie within -1e-12: so it is asked first, as a walk does.
+  // Newton may find a point that is just outside the element with coordinates above -1e-12, which counts as found. So a
+  // point is only called absent without asking Newton if it is farther away than this, relative to the reach.
   const double near = degree * 1e-11;
   const double slack = near * reach;
   if (p.x < box.low.x - slack || p.x > box.high.x + slack || p.y < box.low.y - slack || p.y > box.high.y + slack)
     return {SearchAnswer::absent, {}};
-  // Relative to p and scaled by a power of two: neither offset nor size of the element costs precision.
+  // Control points are taken relative to p and scaled by a power of two, so that neither the place nor the size of the
+  // element costs precision.
   const double scale = std::ldexp(1.0, std::clamp(-std::ilogb(reach), -1000, 1000));
   std::array<Point, net_size(max_degree)> relative, in_order;
   for (std::size_t k = 0; k < n; ++k) relative[k] = scale * (net[k] - p);

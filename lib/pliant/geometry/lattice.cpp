@@ -1,4 +1,4 @@
-// lib/pliant/geometry/lattice.cpp: one table a degree.
+// lib/pliant/geometry/lattice.cpp: the lattice order of each degree, in one table per degree.
 #include "pliant/geometry/lattice.h"
 
 #include <cassert>

@@ -4,8 +4,8 @@
 
 namespace pliant {
 
-/// Index of the entry (i, j, k) by rows r = j + k from the first corner on: it does not depend on the degree, so a
-/// step of de Casteljau reads only entries at or behind the one it writes, and runs in place.
+/// The place of entry (i, j, k) when entries are counted line by line, r = j + k, from the first corner. It does not
+/// depend on the degree, so a step of de Casteljau reads only entries at or after the one it writes, and runs in place.
 constexpr int lattice_index(int r, int k) { return r * (r + 1) / 2 + k; }
 
 /// The lattice index of each entry of NetLayout::of(degree). Thread-safe.

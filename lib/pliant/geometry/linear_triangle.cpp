@@ -21,7 +21,7 @@ double triangle_shape(const Point& a, const Point& b, const Point& c) {
 }
 
 double least_angle(const Point& a, const Point& b, const Point& c) {
-  // It is opposite the shortest side.
+  // The least angle is opposite the shortest side.
   const double ab = squared_length(b - a), bc = squared_length(c - b), ca = squared_length(a - c);
   const auto angle = [](const Point& at, const Point& p, const Point& q) {
     return std::atan2(std::fabs(cross(p - at, q - at)), dot(p - at, q - at));

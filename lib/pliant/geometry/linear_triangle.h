@@ -8,7 +8,8 @@ namespace pliant {
 double triangle_area(const Point& a, const Point& b, const Point& c);
 /// Centre of the circumcircle; not finite for a flat triangle.
 Point circumcenter(const Point& a, const Point& b, const Point& c);
-/// tau = 4 sqrt(3) A / (l1^2 + l2^2 + l3^2): 1 for an equilateral triangle, 0 flat, negative turned over (paper §5.5).
+/// tau = 4 sqrt(3) A / (l1^2 + l2^2 + l3^2) (paper §5.5): 1 for an equilateral triangle, 0 for a flat one, negative for
+/// one that is turned over.
 double triangle_shape(const Point& a, const Point& b, const Point& c);
 /// The least angle in radians (0 for a flat triangle).
 double least_angle(const Point& a, const Point& b, const Point& c);

@@ -1,4 +1,4 @@
-// lib/pliant/geometry/net_layout.cpp: in which order the control points of a Bézier triangle stand.
+// lib/pliant/geometry/net_layout.cpp: the order of the control points of a Bézier triangle.
 #include "pliant/geometry/net_layout.h"
 
 #include <cassert>
@@ -23,7 +23,7 @@ NetLayout::NetLayout(int degree) : degree_(degree) {
   for (std::size_t n = 0; n < exponents_.size(); ++n) {
     const auto [i, j, k] = exponents_[n];
     index_[static_cast<std::size_t>(i * (p + 1) + j)] = static_cast<int>(n);
-    double c = 1;  // (p over i)(p - i over j), by exact steps
+    double c = 1;  // (p choose i)(p - i choose j); every step is exact up to degree 34, and rounded once above that
     for (int m = 1; m <= i; ++m) c = c * (p - i + m) / m;
     for (int m = 1; m <= j; ++m) c = c * (k + m) / m;
     multinomial_[n] = c;

@@ -1,20 +1,21 @@
-// lib/pliant/geometry/net_layout.h: in which order the control points of a Bézier triangle stand.
+// lib/pliant/geometry/net_layout.h: the order of the control points of a Bézier triangle.
 #pragma once
 #include <array>
 #include <vector>
 
 namespace pliant {
 
-inline constexpr int max_degree = 10;      ///< of a mesh
-inline constexpr int max_net_degree = 40;  ///< of a polynomial on the triangle (det J, products)
+inline constexpr int max_degree = 10;      ///< the greatest degree of a mesh
+inline constexpr int max_net_degree = 40;  ///< the greatest degree of a polynomial on the triangle (det J, products)
 
+/// How many control points a Bézier triangle has.
 constexpr int net_size(int degree) { return (degree + 1) * (degree + 2) / 2; }
-/// Control points of one triangle of a mesh that are neither on an edge nor a corner.
+/// How many of them are inside: not on an edge, and no corner.   Requires    degree >= 1
 constexpr int interior_size(int degree) { return (degree - 1) * (degree - 2) / 2; }
 
-/// The order of a net of a given degree: corners 1 2 3, then the points of edges 12, 23, 31, each from its first to
-/// its second corner, then the interior by descending i, then descending j. The same order in documents, in meshes,
-/// and for scalar polynomials (for degree 2: 200, 020, 002, 110, 011, 101).
+/// The order of the entries of a net of a given degree: corners 1 2 3, then the points of edges 12, 23, 31, each from
+/// its first to its second corner, then the interior by descending i, then descending j (for degree 2: 200, 020, 002,
+/// 110, 011, 101). Documents, meshes and scalar polynomials all have this order.
 ///
 /// Edge e (0, 1, 2) runs from corner e to corner (e + 1) % 3.
 class NetLayout {
@@ -34,7 +35,7 @@ class NetLayout {
     if (k == degree_) return (e + 1) % 3;
     return 3 + e * (degree_ - 1) + k - 1;
   }
-  /// Index of the first interior entry (they run to the end).
+  /// Index of the first interior entry; all entries from there to the end are interior.   Requires    degree >= 1
   int first_interior() const { return 3 * degree_; }
   /// p! / (i! j! k!) of the entry: B_ijk = multinomial * xi1^i xi2^j xi3^k.
   double multinomial(int index) const { return multinomial_[static_cast<std::size_t>(index)]; }

@@ -1,4 +1,4 @@
-// lib/pliant/geometry/node_basis.cpp: the Bernstein basis at the nodes of the rule that fits are integrated with.
+// lib/pliant/geometry/node_basis.cpp: the Bernstein basis at the nodes of the quadrature rule for least-squares fits.
 #include "pliant/geometry/node_basis.h"
 
 #include <array>

@@ -1,4 +1,4 @@
-// lib/pliant/geometry/point.h: locations, vectors and barycentric coordinates of the plane.
+// lib/pliant/geometry/point.h: locations and vectors in the plane, barycentric coordinates, boxes.
 #pragma once
 #include <array>
 #include <cmath>
@@ -31,7 +31,7 @@ inline bool is_finite(const Point& a) { return std::isfinite(a.x) && std::isfini
 /// The vector turned by a quarter counter-clockwise.
 constexpr Vector perpendicular(const Vector& a) { return {-a.y, a.x}; }
 
-/// Barycentric coordinates (xi1, xi2, xi3) of a triangle; they sum to 1.
+/// Barycentric coordinates (xi1, xi2, xi3) in a triangle; they sum to 1.
 using Barycentric = std::array<double, 3>;
 
 /// An axis-parallel box; empty until it is extended.
@@ -48,15 +48,15 @@ struct Box {
   bool overlaps(const Box& b) const {
     return low.x <= b.high.x && b.low.x <= high.x && low.y <= b.high.y && b.low.y <= high.y;
   }
-  /// The diagonal; 0 for an empty box. Of all control points it is the *size* of a mesh.
+  /// The length of the diagonal; 0 for an empty box. The *size* of a mesh is that of the box of all its control points.
   double size() const { return low.x <= high.x ? distance(low, high) : 0; }
   /// The largest |coordinate|, which decides what a unit in the last place is; 0 for an empty box.
   double reach() const {
     if (!(low.x <= high.x)) return 0;
     return std::fmax(std::fmax(-low.x, high.x), std::fmax(-low.y, high.y));
   }
-  /// What two ways to compute one place in the box may differ by: 1e-12 of its size, or 16 units in the last place of
-  /// its largest coordinate where it lies far from the origin.
+  /// How far apart two computations of the same place in the box may be: 1e-12 of the box's size, or, if the box is far
+  /// from the origin, 16 units in the last place of its largest coordinate.
   double tolerance() const { return std::fmax(1e-12 * size(), 0x1p-48 * reach()); }
 };
 

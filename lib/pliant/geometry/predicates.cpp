@@ -1,4 +1,4 @@
-// lib/pliant/geometry/predicates.cpp: filtered, then integer arithmetic.
+// lib/pliant/geometry/predicates.cpp: a floating-point filter, then integers for what it leaves open.
 #include "pliant/geometry/predicates.h"
 
 #include <algorithm>
@@ -16,19 +16,19 @@ namespace {
 
 using Integer = boost::multiprecision::cpp_int;
 
-// Bounds of the rounding errors relative to the sum of the absolute values of all products (Shewchuk 1997), valid
-// where no product underflows: what underflow may add is below the absolute floor.
+// Bounds of the rounding errors, relative to the sum of the absolute values of all products (Shewchuk 1997). They hold
+// where no product underflows; what underflow may add is below the floor, which is absolute.
 constexpr double half_ulp = std::numeric_limits<double>::epsilon() / 2;
 constexpr double orient_bound = (3 + 16 * half_ulp) * half_ulp;
 constexpr double circle_bound = (10 + 96 * half_ulp) * half_ulp;
 constexpr double orient_floor = 1e-300;
 constexpr double circle_floor = 1e-280;
 
-/// The coordinates of n points as integers: all multiplied by the same power of two.
+/// The coordinates of n points, all multiplied by the power of two that makes integers of them.
 template <std::size_t n>
 std::array<std::array<Integer, 2>, n> scaled(const std::array<Point, n>& points) {
   int least = std::numeric_limits<int>::max();
-  const auto visit = [](double x, int& exponent) {
+  const auto mantissa_of = [](double x, int& exponent) {
     const double fraction = std::frexp(x, &exponent);
     exponent -= 53;
     return static_cast<long long>(std::ldexp(fraction, 53));
@@ -36,14 +36,14 @@ std::array<std::array<Integer, 2>, n> scaled(const std::array<Point, n>& points)
   for (const Point& p : points)
     for (const double x : {p.x, p.y}) {
       int exponent = 0;
-      if (visit(x, exponent) != 0) least = std::min(least, exponent);
+      if (mantissa_of(x, exponent) != 0) least = std::min(least, exponent);
     }
   std::array<std::array<Integer, 2>, n> result;
   for (std::size_t i = 0; i < n; ++i) {
     const std::array<double, 2> xy{points[i].x, points[i].y};
     for (std::size_t c = 0; c < 2; ++c) {
       int exponent = 0;
-      const long long mantissa = visit(xy[c], exponent);
+      const long long mantissa = mantissa_of(xy[c], exponent);
       if (mantissa == 0) continue;
       result[i][c] = mantissa;
       result[i][c] <<= static_cast<unsigned>(exponent - least);
@@ -77,7 +77,7 @@ int sign(double x) { return (x > 0) - (x < 0); }
 __extension__ using Wide = __int128;
 __extension__ using WideBits = unsigned __int128;
 
-/// A sum of products of two integers below 2^125 in magnitude, in 256 bits.
+/// A sum, in 256 bits, of products of integers below 2^125 in magnitude.
 class WideSum {
  public:
   void add_product(Wide a, Wide b) {
@@ -98,14 +98,14 @@ class WideSum {
   WideBits head_ = 0, tail_ = 0;
 };
 
-/// x - y, if it is a double.
+/// Whether x - y is a double, so that subtracting does not round.
 bool subtracts_exactly(double x, double y) {
   const double difference = x - y, back = x - difference;
   return (x - (difference + back)) + (back - y) == 0;
 }
 
-/// in_circle where the differences of the points are doubles of much the same size, as in grids, where every edge asks
-/// for the exact answer: several times as fast as integers of any length. Nothing for other points.
+/// in_circle for points whose differences are doubles of similar size; empty for others. Grids have such points, and
+/// there every edge needs the exact answer. This way is several times as fast as integers of any length.
 std::optional<int> in_circle_of_near(const Point& a, const Point& b, const Point& c, const Point& d) {
   std::array<std::int64_t, 6> xy{};
   const std::array<double, 6> differences{a.x - d.x, a.y - d.y, b.x - d.x, b.y - d.y, c.x - d.x, c.y - d.y};
@@ -138,7 +138,7 @@ std::optional<int> in_circle_of_near(const Point&, const Point&, const Point&, c
 int orient2d(const Point& a, const Point& b, const Point& c) {
   const double left = (a.x - c.x) * (b.y - c.y), right = (a.y - c.y) * (b.x - c.x);
   const double det = left - right;
-  // Overflow makes the bound infinite or the comparison one with NaN: both lead to the exact stage.
+  // Overflow makes the bound infinite or one side of the comparison NaN. Both lead to the exact stage.
   if (std::fabs(det) > orient_bound * (std::fabs(left) + std::fabs(right)) + orient_floor) return sign(det);
   return exact_orient2d(a, b, c);
 }
@@ -150,10 +150,10 @@ int in_circle(const Point& a, const Point& b, const Point& c, const Point& d) {
   const double det = lift_u * (vw1 - vw2) + lift_v * (wu1 - wu2) + lift_w * (uv1 - uv2);
   const double permanent = lift_u * (std::fabs(vw1) + std::fabs(vw2)) + lift_v * (std::fabs(wu1) + std::fabs(wu2)) +
                            lift_w * (std::fabs(uv1) + std::fabs(uv2));
-  // An inner product below the floor can underflow while its outer factor is huge, so the lifts must be tame as well.
-  const bool tame = std::max({lift_u, lift_v, lift_w}) < 1e30;
-  if (tame && std::fabs(det) > circle_bound * permanent + circle_floor) return sign(det);
-  if (const auto of_near = in_circle_of_near(a, b, c, d)) return *of_near;
+  // What an inner product loses by underflow is multiplied by a lift, so the floor only holds while lifts are bounded.
+  const bool is_floor_valid = std::max({lift_u, lift_v, lift_w}) < 1e30;
+  if (is_floor_valid && std::fabs(det) > circle_bound * permanent + circle_floor) return sign(det);
+  if (const auto answer = in_circle_of_near(a, b, c, d)) return *answer;
   return exact_in_circle(a, b, c, d);
 }
 

@@ -1,4 +1,4 @@
-// lib/pliant/geometry/quadrature.cpp: symmetric and collapsed Gauss rules.
+// lib/pliant/geometry/quadrature.cpp: symmetric rules of low degrees, and Gauss rules on the collapsed square.
 #include "pliant/geometry/quadrature.h"
 
 #include <Eigen/Eigenvalues>
@@ -16,9 +16,9 @@ namespace pliant {
 namespace {
 
 constexpr int greatest_exact_degree = 40;
-using Real = long double;  // so that nodes and weights are doubles to the last bit or so
+using Real = long double;  // rounded to double, nodes and weights are then right to the last bit or so
 
-/// Node and weight on [0, 1].
+/// Pairs of a node and its weight, on [0, 1].
 using Nodes = std::vector<std::pair<Real, Real>>;
 
 /// Golub and Welsch: the orthonormal polynomials of a weight on [-1, 1] have a three-term recurrence; the nodes are the
@@ -49,13 +49,15 @@ Nodes gauss_jacobi(int n) {
   return gauss_nodes(diagonal, beside, Real(1) / 2);
 }
 
+/// Adds the three nodes that the permutations of (1 - 2a, a, a) give.
 void add_orbit(std::vector<TriangleNode>& rule, double a, double weight) {
   rule.push_back({{1 - 2 * a, a, a}, weight / 2});
   rule.push_back({{a, 1 - 2 * a, a}, weight / 2});
   rule.push_back({{a, a, 1 - 2 * a}, weight / 2});
 }
 
-/// Up to degree 5 the symmetric rules with fewest points (Strang and Fix; Radon), above that the collapsed square.
+/// Up to degree 5 the symmetric rules with fewest points (Strang and Fix; Radon); above that Gauss rules on the unit
+/// square, one side of which is collapsed to a corner.
 std::vector<TriangleNode> build_triangle_rule(int degree) {
   std::vector<TriangleNode> rule;
   if (degree <= 1) {
@@ -75,11 +77,11 @@ std::vector<TriangleNode> build_triangle_rule(int degree) {
   } else {
     const int n = degree / 2 + 1;
     const Nodes across = gauss_legendre(n);
-    for (const auto& [y, of_y] : gauss_jacobi(n)) {
-      for (const auto& [x, of_x] : across) {
+    for (const auto& [y, weight_y] : gauss_jacobi(n)) {
+      for (const auto& [x, weight_x] : across) {
         const Real xi2 = x * (1 - y);
         rule.push_back({{static_cast<double>((1 - x) * (1 - y)), static_cast<double>(xi2), static_cast<double>(y)},
-                        static_cast<double>(of_x * of_y)});
+                        static_cast<double>(weight_x * weight_y)});
       }
     }
   }

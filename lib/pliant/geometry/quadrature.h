@@ -13,8 +13,8 @@ struct TriangleNode {
 struct SegmentNode {
   double s, weight;  ///< the weights sum to 1
 };
-/// Rules with positive weights and inner points, exact for polynomials of degree <= `exact_degree` (to rounding).
-/// Built once for each degree (0..40); thread-safe.
+/// Rules with positive weights and with points strictly inside, exact (to rounding) for polynomials up to a degree of
+/// `exact_degree`, which is 0 to 40. Built once for each degree; thread-safe.
 std::span<const TriangleNode> triangle_rule(int exact_degree);
 std::span<const SegmentNode> segment_rule(int exact_degree);
 

@@ -9,8 +9,8 @@
 
 namespace pliant {
 
-/// An array of values by index, for curves that gain and lose knots one at a time. A short one is a vector; a long one
-/// becomes, at its first insertion or erasure, a list of chunks, so that a change moves one chunk and not the whole.
+/// An array of values by index, for curves that gain and lose knots one at a time. A short array is one vector. A long
+/// one becomes a list of chunks at its first insertion or erasure, so that a change moves one chunk and not the whole.
 ///
 /// Complexity  reading by index O(1), O(log size) in chunks; insert and erase O(chunk + size / chunk), which is below a
 ///             microsecond at a million values
@@ -18,7 +18,8 @@ template <class T>
 class Sequence {
  public:
   Sequence() = default;
-  Sequence(std::vector<T> values) : flat_(std::move(values)), size_(flat_.size()) {}  // NOLINT: a vector is one
+  Sequence(std::vector<T> values)
+      : flat_(std::move(values)), size_(flat_.size()) {}  // NOLINT: implicit, as a vector is a sequence
 
   std::size_t size() const { return size_; }
   bool empty() const { return size_ == 0; }
@@ -59,7 +60,7 @@ class Sequence {
     --size_;
   }
 
-  operator std::vector<T>() const { return to_vector(); }  // NOLINT: it copies what a vector would
+  operator std::vector<T>() const { return to_vector(); }  // NOLINT: implicit, as copies of vectors are
   std::vector<T> to_vector() const {
     if (chunks_.empty()) return flat_;
     std::vector<T> all;
@@ -106,10 +107,10 @@ class Sequence {
   const_iterator end() const { return {this, static_cast<std::ptrdiff_t>(size_)}; }
 
  private:
-  static constexpr std::size_t chunk_size = 512;     // values to which a chunk is filled; it is halved at twice that
-  static constexpr std::size_t longest_flat = 2048;  // moving so many costs less than looking for a chunk
+  static constexpr std::size_t chunk_size = 512;     // values in a new chunk; a chunk of twice as many is halved
+  static constexpr std::size_t longest_flat = 2048;  // up to here moving all values costs less than finding a chunk
 
-  /// True if values lie in chunks, where those of a long vector are put now.
+  /// Whether the values are in chunks. Before it answers it puts the values of a long vector into chunks.
   bool is_chunked() {
     if (!chunks_.empty()) return true;
     if (size_ <= longest_flat) return false;
@@ -135,7 +136,7 @@ class Sequence {
 
   std::vector<T> flat_;                 // all values, as long as there are no chunks
   std::vector<std::vector<T>> chunks_;  // none is empty
-  std::vector<std::size_t> starts_;     // of each chunk's first value
+  std::vector<std::size_t> starts_;     // the index of each chunk's first value
   std::size_t size_ = 0;
 };
 

@@ -14,9 +14,9 @@
 namespace pliant {
 namespace {
 
-constexpr double least_piece = 4;  // tolerances; curves are not cut into shorter ones to make them monotone
+constexpr double least_piece = 4;  // in tolerances: curves are not cut into shorter pieces to make them monotone
 
-/// Sets of points that are near each other, each named by its first.
+/// Sets of points that are near each other. A set is named by its point with the least index.
 class Clusters {
  public:
   explicit Clusters(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0); }
@@ -32,6 +32,7 @@ class Clusters {
     parent_[static_cast<std::size_t>(std::max(i, j))] = std::min(i, j);
   }
 
+  /// Joins all points whose coordinates differ by at most `radius`.
   void join_near(std::span<const Point> points, double radius) {
     std::unordered_map<std::uint64_t, std::vector<int>> cells;
     const auto cell = [&](const Point& p, int i, int j) {
@@ -42,7 +43,7 @@ class Clusters {
     for (std::size_t n = 0; n < points.size(); ++n) {
       const int here = static_cast<int>(n);
       const Point& p = points[n];
-      bool crowded = false;  // a second point of a cluster in the same cell adds nothing
+      bool is_known = false;  // an equal point is in a cell already, and a second one would find nothing more
       for (int i = -1; i <= 1; ++i)
         for (int j = -1; j <= 1; ++j) {
           const auto found = cells.find(cell(p, i, j));
@@ -51,10 +52,10 @@ class Clusters {
             const Point& q = points[static_cast<std::size_t>(other)];
             if (std::fabs(p.x - q.x) > radius || std::fabs(p.y - q.y) > radius) continue;
             join(here, other);
-            crowded = crowded || p == q;
+            is_known = is_known || p == q;
           }
         }
-      if (!crowded) cells[cell(p, 0, 0)].push_back(here);
+      if (!is_known) cells[cell(p, 0, 0)].push_back(here);
     }
   }
 
@@ -62,20 +63,20 @@ class Clusters {
   std::vector<int> parent_;
 };
 
-/// A monotone part of one span; what is cut further.
+/// A part of one span, soon monotone, that is to be cut further.
 struct Piece {
   int curve;
   double t0, t1;
-  int from, to;  // points
+  int from, to;  // its ends in Cutter::places_, then nodes
   std::size_t first_point;
   int degree;
 };
 
-/// A place on a piece that is to be a node.
+/// A point of a piece that is to become a node.
 struct Cut {
   int piece;
   double s;
-  int point;
+  int point;  // its index in Cutter::places_, then the node
 };
 
 class Cutter {
@@ -90,7 +91,8 @@ class Cutter {
     add_spans();
     add_monotone_cuts();
     snap_ends();
-    // First where ends lie on other curves: what meets in a node is compared with more care than what does not.
+    // First pieces are cut only where ends of others lie on them. These then meet in nodes, and curves that meet in a
+    // node are compared with more care than others.
     find_cuts(find_end_meetings);
     make_nodes();
     make_arcs();
@@ -117,7 +119,7 @@ class Cutter {
     const double size = box.size();
     result_.exponent = size > 0 ? std::ilogb(size) : 0;
     const double scaled_size = size > 0 ? std::ldexp(size, -result_.exponent) : 1;
-    // Far from the origin coordinates are coarser than the size alone tells.
+    // Far from the origin coordinates may be coarser than a tolerance that depends on the size alone.
     const double grain = 64 * 0x1p-53 * std::ldexp(reach, -result_.exponent);
     touch_ = std::max(options_.tolerance * scaled_size, grain);
     sliver_ = std::max(options_.sliver * scaled_size, grain);
@@ -223,7 +225,7 @@ class Cutter {
       }
       return true;
     });
-    // Pairs come in an order that is nobody's concern; nodes are numbered along the curves.
+    // The order of the pairs depends on the search; nodes are to be numbered along the curves.
     std::sort(cuts_.begin(), cuts_.end(), [](const Cut& a, const Cut& b) {
       if (a.piece != b.piece) return a.piece < b.piece;
       if (a.s != b.s) return a.s < b.s;
@@ -253,7 +255,8 @@ class Cutter {
     }
   }
 
-  /// What lies between an end and a cut that became the same node goes: near a tip it may have crossed another piece.
+  /// Makes an arc between each two successive cuts. The part between an end and a cut that became the same node is
+  /// dropped, because near a tip it may have crossed another piece.
   void make_arcs() {
     std::size_t next = 0;
     for (std::size_t i = 0; i < pieces_.size(); ++i) {
@@ -286,7 +289,7 @@ class Cutter {
     result_.arcs.push_back(arc);
   }
 
-  /// Makes the arcs pieces.
+  /// Turns the arcs back into pieces, to be cut once more.
   void cut_again() {
     pieces_.clear();
     cuts_.clear();

@@ -10,10 +10,10 @@ namespace pliant {
 /// How a face's winding number on the left of a curve exceeds that on its right; ascending by face, none 0.
 using Winding = std::vector<std::pair<int, int>>;
 
-/// Adds `times` the second to the first.
+/// sum += times * by
 void add_winding(Winding& sum, const Winding& by, int times = 1);
 
-/// A curve of an arrangement.
+/// A curve of an arrangement, and how the winding numbers on its two sides differ.
 struct SidedCurve {
   const BSpline* spline;
   Winding jump;
@@ -30,8 +30,8 @@ struct Arc {
 
 /// All arcs, by curve and along it, scaled by a power of two to a size near 1.
 struct ArcNetwork {
-  int exponent = 0;          ///< of the scale: multiply by 2^-exponent to return
-  std::vector<Point> nodes;  ///< those that exist in the input first: its vertices, then ends and breaks of curves
+  int exponent = 0;          ///< a coordinate here, times 2^exponent, is one of the input
+  std::vector<Point> nodes;  ///< first the input's own: its vertices, then ends and breaks of curves; then the cuts
   std::vector<Arc> arcs;
   std::vector<Point> points;  ///< control points; the ends equal the nodes bit for bit
 

@@ -11,8 +11,8 @@
 namespace pliant {
 namespace {
 
-constexpr double most_hook = 8;          // tolerances
-constexpr double sharpest_joint = 0.01;  // radians; what turns back more sharply needs a vertex
+constexpr double most_hook = 8;          // in tolerances: the longest end that is cut off because it turns back
+constexpr double sharpest_joint = 0.01;  // radians between two arcs at a node; a sharper joint needs a vertex
 
 /// Knots and control points of a stretch of a B-spline, not clamped.
 struct OpenStretch {
@@ -44,6 +44,7 @@ struct OpenStretch {
   }
 };
 
+/// Chains the kept arcs of each curve.
 class Chains {
  public:
   Chains(const ArcNetwork& network, std::span<const SidedCurve> curves, const ArrangementGraph& graph,
@@ -73,6 +74,7 @@ class Chains {
 
  private:
   const Arc& arc(int i) const { return network_.arcs[index(i)]; }
+  /// The edge of arc i if the arc is kept, otherwise null.
   const GraphEdge* kept(int i) const {
     const int e = graph_.edge_of[index(i)];
     if (e < 0 || graph_.edges[index(e)].left == graph_.edges[index(e)].right) return nullptr;
@@ -87,7 +89,7 @@ class Chains {
 
   bool turns_back(const Arc& a, const Arc& b) const {
     const auto p = network_.polygon(a), q = network_.polygon(b);
-    const double near = 1e-3;  // a parameter: past vanishing derivatives and the snap
+    const double near = 1e-3;  // a parameter beyond which neither a vanishing derivative nor the snap matters
     const Vector back = bezier_point(p, 1 - near) - p.back(), on = bezier_point(q, near) - q.front();
     return dot(back, on) > 0 && std::fabs(cross(back, on)) < sharpest_joint * dot(back, on);
   }
@@ -98,7 +100,7 @@ class Chains {
     const int count = last - first;
     const auto at = [&](int i) { return first + (i - first) % count; };
     const auto joined = [&](int i) { return (closed || i + 1 < last) && goes_on(at(i), at(i + 1)); };
-    int begin = first;  // a closed curve is walked from behind a break
+    int begin = first;  // a closed curve is walked from an arc that is not joined to the one before it
     if (closed) {
       while (begin < last && joined(begin)) ++begin;
       if (begin == last) return result.push_back(whole(first));
@@ -139,7 +141,7 @@ class Chains {
     spline.set_point(static_cast<int>(spline.points().size()) - 1, to);
   }
 
-  /// Where the snap has moved an end back past what came before it, that goes.
+  /// Cuts off what turns back at the ends, where the snap has moved an end to behind the points next to it.
   void cut_hooks(BSpline& spline, const Point& from, const Point& to) const {
     std::vector<BSpline> parts = split_at_stops(spline, tip_);
     const auto is_short = [&](const BSpline& part) {
@@ -149,7 +151,7 @@ class Chains {
     };
     while (parts.size() > 1 && is_short(parts.back())) parts.pop_back();
     while (parts.size() > 1 && is_short(parts.front())) parts.erase(parts.begin());
-    if (parts.size() != 1) return;  // it turns back elsewhere
+    if (parts.size() != 1) return;  // the curve turns back elsewhere, too, and stays as it is
     spline = std::move(parts.front());
     set_ends(spline, from, to);
   }
@@ -163,7 +165,7 @@ class Chains {
   std::span<const SidedCurve> curves_;
   const ArrangementGraph& graph_;
   double tip_, most_hook_;
-  std::vector<int> degree_;  // kept edges at a node
+  std::vector<int> degree_;  // how many kept edges end at each node
 };
 
 }  // namespace

@@ -6,13 +6,14 @@ namespace pliant {
 
 /// A stretch of arcs of one curve that stays one B-spline.
 struct KeptCurve {
-  int curve;  ///< of the input
+  int curve;  ///< the index of the input's curve
   BSpline spline;
-  int start, end;  ///< nodes; no_vertex: the whole of a closed curve
-  int left, right;
+  int start, end;   ///< nodes; no_vertex for the whole of a closed curve
+  int left, right;  ///< faces
 };
 
-/// The arcs that separate different faces, chained through nodes where nothing else ends; by curve and along it.
+/// The arcs that separate different faces, chained through nodes where no other curve ends. They are in the order of
+/// the curves, and along each.
 std::vector<KeptCurve> chain_arcs(const ArcNetwork& network, std::span<const SidedCurve> curves,
                                   const ArrangementGraph& graph, const ArcTolerances& tolerances);
 

@@ -1,5 +1,4 @@
-// lib/pliant/boundary/arrangement/arrangement_graph.cpp: the planar graph of arcs, its regions and their winding
-// numbers.
+// lib/pliant/boundary/arrangement/arrangement_graph.cpp: half-edges around nodes, regions, winding numbers.
 #include "pliant/boundary/arrangement/arrangement_graph.h"
 
 #include <algorithm>
@@ -16,7 +15,7 @@
 namespace pliant {
 namespace {
 
-constexpr double clear_angle = 1e-6;  // radians between the hulls of arcs that are sorted by their chords
+constexpr double clear_angle = 1e-6;  // radians; arcs whose hulls are farther apart are sorted by their chords
 
 class GraphBuilder {
  public:
@@ -49,13 +48,15 @@ class GraphBuilder {
     return {reversed.data(), points.size()};
   }
 
-  /// Which quarter of directions a monotone arc leaves into, from -x counter-clockwise; each holds its first ray.
+  /// In which quarter of all directions a monotone arc leaves, counted counter-clockwise from -x. A quarter includes
+  /// its first ray.
   static int quarter(const Vector& d) {
     if (d.x < 0) return d.y > 0 ? 3 : 0;
     if (d.x == 0) return d.y > 0 ? 3 : 1;
     return d.y < 0 ? 1 : 2;
   }
 
+  /// The point of a monotone arc at the distance `radius` from its start, relative to the start.
   static Vector at_radius(std::span<const Point> polygon, double radius) {
     double low = 0, high = 1;
     for (int i = 0; i < 50; ++i) {
@@ -88,7 +89,7 @@ class GraphBuilder {
       around_[index(origin(half))].push_back(half);
     place_.resize(2 * graph_.edges.size());
     for (std::vector<int>& halves : around_) {
-      // Insertion: an order that rounding made inconsistent does no harm beyond a wrong order.
+      // This is an insertion sort because comparisons that rounding makes inconsistent do it no harm but a wrong order.
       for (std::size_t i = 1; i < halves.size(); ++i)
         for (std::size_t j = i; j > 0 && comes_before(halves[j], halves[j - 1]); --j)
           std::swap(halves[j], halves[j - 1]);
@@ -99,7 +100,7 @@ class GraphBuilder {
 
   // ---- Regions ----
 
-  /// The half-edge that follows along the region on the left: the next clockwise after the way back.
+  /// The half-edge that follows along the region on the left: the next one, clockwise, after the twin.
   int next(int half) const {
     const int back = twin(half);
     const std::vector<int>& halves = around_[index(origin(back))];
@@ -116,7 +117,7 @@ class GraphBuilder {
     }
   }
 
-  /// Euler's formula, for each component.
+  /// Checks Euler's formula for each component, and finds the component's leftmost node.
   void check_planarity() {
     component_.assign(network_.nodes.size(), -1);
     std::vector<int> stack;
@@ -149,7 +150,7 @@ class GraphBuilder {
     graph_.regions = regions_ - static_cast<long>(leftmost_.size());
   }
 
-  /// The windings at each component's leftmost node, with respect to the other components.
+  /// The winding numbers at the leftmost node of each component, with respect to the other components.
   std::vector<Winding> windings_from_outside() const {
     std::vector<Winding> winding(leftmost_.size());
     if (leftmost_.size() < 2) return winding;
@@ -187,6 +188,7 @@ class GraphBuilder {
     return bezier_point(polygon, low).x < p.x ? (from_above ? 1 : -1) : 0;
   }
 
+  /// Finds the winding numbers of all regions, from the outside of each component inwards, and from them the faces.
   void propagate(const std::function<int(const Winding&)>& owner) {
     std::vector<Winding> winding(index(regions_));
     std::vector<bool> known(index(regions_), false);
@@ -196,7 +198,7 @@ class GraphBuilder {
     const std::vector<Winding> from_outside = windings_from_outside();
     std::vector<int> stack;
     for (std::size_t c = 0; c < leftmost_.size(); ++c) {
-      // Around the leftmost node, -x lies behind the last half-edge and before the first.
+      // At the leftmost node the direction -x is after the last half-edge and before the first.
       const int outer = region_[index(around_[index(leftmost_[c])].back())];
       winding[index(outer)] = from_outside[c];
       known[index(outer)] = true;
@@ -231,11 +233,11 @@ class GraphBuilder {
   ArcTolerances tolerances_;
   ArrangementGraph graph_;
   std::vector<std::vector<int>> around_;  // half-edges that leave a node, counter-clockwise from -x
-  std::vector<int> place_;                // of a half-edge among those around its origin
-  std::vector<int> region_;               // on the left of a half-edge
+  std::vector<int> place_;                // the index of each half-edge among those around its origin
+  std::vector<int> region_;               // the region on the left of each half-edge
   int regions_ = 0;
-  std::vector<int> component_;  // of a node
-  std::vector<int> leftmost_;   // node of a component
+  std::vector<int> component_;  // the component of each node
+  std::vector<int> leftmost_;   // the leftmost node of each component
 };
 
 }  // namespace

@@ -6,25 +6,25 @@
 
 namespace pliant {
 
-/// An arc that lies on no other, with what it separates.
+/// An arc that stands for all arcs that run together with it, and what it separates.
 struct GraphEdge {
   int arc;
-  Winding jump;  ///< of all arcs that run together here, in the direction of `arc`
-  int left = outside, right = outside;
+  Winding jump;                         ///< the sum over all arcs that run together here, in the direction of `arc`
+  int left = outside, right = outside;  ///< faces
 };
 
 struct ArrangementGraph {
   std::vector<GraphEdge> edges;  ///< ascending by arc
-  std::vector<int> edge_of;      ///< of each arc; -1: none, or merged with another
-  long crowded_nodes = 0;        ///< with more than two edges
-  long regions = 0;
-  long slivers = 0;
-  double sliver_area = 0;   ///< at most, of all of them
-  std::vector<int> broken;  ///< nodes about which the graph is not planar or not consistent; empty if all is well
+  std::vector<int> edge_of;      ///< the edge of each arc; -1 if it has none or is merged with another arc
+  long crowded_nodes = 0;        ///< nodes with more than two edges
+  long regions = 0;              ///< bounded regions
+  long slivers = 0;              ///< edges that were merged although they were not within the tolerance
+  double sliver_area = 0;        ///< a bound of the area between those
+  std::vector<int> broken;       ///< nodes where the graph is not planar or not consistent; empty if all is well
 };
 
-/// Merges arcs that run together, sorts them around their nodes, traces the regions, and asks `owner` for the face that
-/// each belongs to, by its winding numbers.   Complexity O((arcs + pairs of overlapping boxes) log n)
+/// Merges arcs that run together, sorts them around their nodes, traces the regions, and asks `owner` to which face the
+/// winding numbers of each region belong.   Complexity O((arcs + pairs of overlapping boxes) log n)
 ArrangementGraph build_graph(const ArcNetwork& network, std::span<const SidedCurve> curves,
                              const ArcTolerances& tolerances, const std::function<int(const Winding&)>& owner);
 

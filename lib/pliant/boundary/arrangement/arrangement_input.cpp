@@ -1,5 +1,4 @@
-// lib/pliant/boundary/arrangement/arrangement_input.cpp: curves that do not stop, fold back on a line or turn in no
-// room.
+// lib/pliant/boundary/arrangement/arrangement_input.cpp: finds stops, folds and tips, and cuts a curve there.
 #include "pliant/boundary/arrangement/arrangement_input.h"
 
 #include <algorithm>
@@ -13,12 +12,13 @@
 namespace pliant {
 namespace {
 
-constexpr double straight = 1e-13;                     // height over length
-constexpr double least_stride = 1e-4;                  // least advance of a leg along the chord, of an even share
-constexpr double least_speed = 1e-7;                   // end leg over length of what does not stop there
-constexpr double most_turning = std::numbers::pi / 3;  // of a tip, which is as much as a span of a mesh may turn
+constexpr double straight = 1e-13;  // a span is straight if its height over its size is at most this
+constexpr double least_stride =
+    1e-4;  // a straight span stops where a leg advances less, over an even share of the chord
+constexpr double least_speed = 1e-7;  // a curve stops at an end where the last leg is shorter, over the whole length
+constexpr double most_turning = std::numbers::pi / 3;  // a tip turns by more; a span of a mesh may turn by as much
 
-/// A span along the line through its two points farthest apart.
+/// A span that may lie on a line.
 class LineSpan {
  public:
   explicit LineSpan(std::span<const Point> polygon) : polygon_(polygon) {
@@ -27,6 +27,7 @@ class LineSpan {
     size_ = box.size();
   }
 
+  /// Whether the span stays at one point, or lies on a line and stops or folds back there.
   bool needs_care() const {
     if (!(size_ > 0)) return true;
     Point from, to;
@@ -46,6 +47,7 @@ class LineSpan {
     return false;
   }
 
+  /// Appends the segments between the points where the span turns back, each run through with constant speed.
   void append_segments(int degree, double t0, double t1, std::vector<BSpline>& result) const {
     std::vector<double> cuts = monotone_cuts(polygon_, 1e-12 * size_);
     cuts.insert(cuts.begin(), 0);
@@ -69,13 +71,14 @@ class LineSpan {
   double size_ = 0;
 };
 
-/// Where a curve stops, folds back or turns in no room: it is run through otherwise there, or not at all.
+/// A part of a curve in which it stops, folds back or has a tip. Segments take its place, or a corner.
 struct Stop {
   double t0, t1;
   std::size_t span;
   bool is_tip;
 };
 
+/// Finds all stops of a curve, and makes the parts between them.
 class StopFinder {
  public:
   StopFinder(const BSpline& spline, double tip) : spline_(spline), tip_(tip), breaks_(spline.breaks()) {}
@@ -103,7 +106,7 @@ class StopFinder {
 
  private:
   struct Tip {
-    std::size_t after;  // of the parts
+    std::size_t after;  // how many parts of the result come before it
     Stop stop;
   };
 
@@ -123,7 +126,7 @@ class StopFinder {
     }
   }
 
-  /// Halves what turns too much, or stops at an end, until it is a tip or does so no more.
+  /// Halves a part that turns too much or stops at an end, until it is short enough to be a tip or does neither.
   void find_tips(std::span<const Point> polygon, std::size_t s, double u0, double u1) {
     double length = 0;
     for (std::size_t i = 1; i < polygon.size(); ++i) length += distance(polygon[i - 1], polygon[i]);
@@ -176,7 +179,7 @@ class StopFinder {
     result_.push_back(part_of_curve(spline_, t0, t1));
   }
 
-  /// Both parts beside a tip end in one point; an end of the curve keeps its place.
+  /// Makes the two parts beside each tip end in the same point. A tip at an end of the curve keeps the end point.
   void close_tips() {
     const std::size_t count = result_.size();
     for (const Tip& tip : tips_) {

@@ -1,4 +1,4 @@
-// lib/pliant/boundary/arrangement/arrangement_input.h: curves that do not stop, fold back on a line or turn in no room.
+// lib/pliant/boundary/arrangement/arrangement_input.h: curves without places where they stop, fold back or have a tip.
 #pragma once
 #include <vector>
 
@@ -6,11 +6,12 @@
 
 namespace pliant {
 
-/// The same way, run through without stopping: spans that stay at a point are left out, and straight ones on which the
-/// derivative vanishes or changes its direction become segments run through evenly. Tips, which turn by more than 60
-/// degrees within the length `tip`, become corners: no mesh could follow them. The curve itself, bit for bit, if it has
-/// none of these; otherwise open curves, in order, each starting where the one before it ends (to rounding); none where
-/// nothing is left.
+/// The same curve, in parts that do not stop. Spans that stay at one point are left out. Straight spans on which the
+/// derivative vanishes or changes its direction become segments of constant speed. Tips become corners: these are
+/// places where the curve turns by more than 60 degrees within the length `tip`, which no mesh could follow.
+///
+/// Returns     the curve itself, bit for bit, if it has none of these; otherwise open curves in order, each of which
+///             starts where the one before it ends (to rounding); nothing if nothing is left
 std::vector<BSpline> split_at_stops(const BSpline& spline, double tip = 0);
 
 }  // namespace pliant

@@ -1,5 +1,4 @@
-// lib/pliant/boundary/arrangement/arrangement_merge.cpp: compares arcs with the same ends, then chains of edges, by
-// samples.
+// lib/pliant/boundary/arrangement/arrangement_merge.cpp: merges arcs, then chains of edges, whose samples are near.
 #include "pliant/boundary/arrangement/arrangement_merge.h"
 
 #include <algorithm>
@@ -60,9 +59,9 @@ class ArcMerger {
     drop_empty();
   }
 
-  /// Joins chains of edges, between nodes where more than two end, that run beside each other.
+  /// Joins chains of edges that run beside each other, between nodes that do not have exactly two edges.
   void merge_paths() {
-    std::vector<std::array<int, 2>> ends(network_.nodes.size(), {-1, -1});  // half-edges from a node of two
+    std::vector<std::array<int, 2>> ends(network_.nodes.size(), {-1, -1});  // the half-edges that leave a node with two
     std::vector<int> degree(network_.nodes.size(), 0);
     const int halves = 2 * static_cast<int>(graph_.edges.size());
     for (int half = 0; half < halves; ++half) {
@@ -89,7 +88,7 @@ class ArcMerger {
   }
 
  private:
-  /// Half-edges from one such node to the next.
+  /// The half-edges of a chain.
   using Path = std::vector<int>;
 
   // Half-edge 2e runs along edge e, 2e + 1 against it.
@@ -97,7 +96,7 @@ class ArcMerger {
   int origin(int half) const { return half % 2 == 0 ? arc(half).from : arc(half).to; }
   static int twin(int half) { return half ^ 1; }
 
-  /// What changes nothing on either side separates nothing.
+  /// Drops the edges without a jump: both sides have the same winding numbers, so these edges separate nothing.
   void drop_empty() {
     std::vector<GraphEdge> edges;
     for (GraphEdge& edge : graph_.edges) {
@@ -107,6 +106,7 @@ class ArcMerger {
     graph_.edges = std::move(edges);
   }
 
+  /// Whether two arcs with the same ends are nowhere farther apart than a sliver.
   bool together(int first, int second) {
     const auto a = network_.polygon(network_.arcs[index(first)]), b = network_.polygon(network_.arcs[index(second)]);
     const int samples = static_cast<int>(a.size() + b.size()) + 1;
@@ -117,7 +117,7 @@ class ArcMerger {
           {most, nearest_on_curve(b, bezier_point(a, s)).distance, nearest_on_curve(a, bezier_point(b, s)).distance});
       if (most > tolerances_.sliver) return false;
     }
-    // Ends were snapped; so far they may have moved the pieces.
+    // Arcs that are no farther apart than this may have been moved apart by the snap of their ends.
     if (most > 8 * tolerances_.touch) count_sliver(most * polygon_length(a));
     return true;
   }
@@ -127,6 +127,7 @@ class ArcMerger {
     graph_.sliver_area += area;
   }
 
+  /// Merges a chain into another that it runs beside; false if it does not.
   bool merge(const Path& kept, Path& other) {
     if (kept.size() + other.size() <= 2 || !runs_beside(kept, other) || !runs_beside(other, kept)) return false;
     const Winding jump = graph_.edges[index(other[0] / 2)].jump;
@@ -140,6 +141,7 @@ class ArcMerger {
     return true;
   }
 
+  /// Whether every sample of a chain is no farther from the other chain than a sliver.
   bool runs_beside(const Path& path, const Path& other) const {
     std::vector<Box> boxes(other.size());
     for (std::size_t i = 0; i < other.size(); ++i) {

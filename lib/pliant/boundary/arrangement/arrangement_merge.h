@@ -6,9 +6,9 @@
 
 namespace pliant {
 
-/// Sets the edges of the graph: one for all arcs with the same ends that run together, and for all chains of arcs that
-/// run beside each other between nodes where more than two edges end; with what they separate in all. Edges that
-/// separate nothing are dropped. Counts the slivers between what was merged.
+/// Sets the edges of the graph and what they separate. Arcs with the same ends that run together make one edge. Chains
+/// of edges that run beside each other, between nodes that do not have exactly two edges, make one chain. Edges that
+/// separate nothing are dropped. The slivers between what was merged are counted.
 void merge_arcs(const ArcNetwork& network, std::span<const SidedCurve> curves, const ArcTolerances& tolerances,
                 ArrangementGraph& graph);
 

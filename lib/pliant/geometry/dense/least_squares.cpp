@@ -1,4 +1,4 @@
-// lib/pliant/geometry/dense/least_squares.cpp: more equations than unknowns, solved without allocation in the long run.
+// lib/pliant/geometry/dense/least_squares.cpp: Householder reflections, stored where they make zeros.
 #include "pliant/geometry/dense/least_squares.h"
 
 #include <algorithm>
@@ -14,7 +14,8 @@ std::span<double> LeastSquares::start(int rows, int columns) {
   return matrix_;
 }
 
-/// Below the diagonal a column holds its reflection's vector, of length sqrt(2).
+/// Applies the reflection of one column to `values`. From the diagonal down, a factored column holds the vector of its
+/// reflection, of length sqrt(2); the diagonal itself is in diagonal_.
 void LeastSquares::reflect(std::size_t column, double* values) const {
   const double* const v = matrix_.data() + column * rows_;
   double product = 0;

@@ -1,18 +1,20 @@
-// lib/pliant/geometry/dense/least_squares.h: more equations than unknowns, solved without allocation in the long run.
+// lib/pliant/geometry/dense/least_squares.h: systems with more equations than unknowns, solved in memory that is
+// reused.
 #pragma once
 #include <span>
 #include <vector>
 
 namespace pliant {
 
-/// Householder's factors of a matrix with linearly independent columns; memory is reused from one to the next.
+/// The QR factors, by Householder reflections, of a matrix with linearly independent columns. The memory is reused from
+/// one matrix to the next.
 class LeastSquares {
  public:
-  /// The matrix to be filled, column after column: entry (i, j) at j * rows + i. Zero at first.
+  /// The entries of a new matrix, all 0, for the caller to fill column after column: entry (i, j) at j * rows + i.
   std::span<double> start(int rows, int columns);
-  /// False if the columns depend on one another, to rounding.   Complexity O(rows * columns^2)
+  /// Factors the matrix; false if its columns are linearly dependent, to rounding.   Complexity O(rows * columns^2)
   bool factor();
-  /// Replaces `right` (rows values) by the solution, in its first places.   Complexity O(rows * columns)
+  /// Replaces the first `columns` values of `right`, which has `rows`, by the solution.   Complexity O(rows * columns)
   void solve(std::span<double> right) const;
 
  private:

@@ -13,10 +13,10 @@ namespace {
 
 using Row = Eigen::Vector3d;
 
-constexpr double tolerance = 1e-13;
+constexpr double tolerance = 1e-13;  // a constraint that is violated by less holds; a multiplier below it is 0
 constexpr int most_steps = 200;
 
-/// The constraints row . (x, y, value) <= limit: the functions', then the four sides of the square.
+/// The constraints row . (x, y, value) <= limit: one for each function, then one for each side of the square.
 class Constraints {
  public:
   Constraints(std::span<const AffineFunction> functions, double reach) : functions_(functions), reach_(reach) {}
@@ -69,15 +69,15 @@ struct Basis {
   }
   Row vertex() const {
     const Row z = inverse * limits;
-    // Once more with what is left, so that the three hold to rounding where they are nearly parallel.
+    // One step of iterative refinement, so that the three hold to rounding even where they are nearly parallel.
     return z + inverse * (limits - rows * z);
   }
-  /// How `row` is combined from the members' rows.
+  /// The factors with which the members' rows add up to `row`.
   Row shares_of(const Row& row) const { return inverse.transpose() * row; }
 };
 
-/// The place nearest to `near` where all functions are at least `level`: half-planes one by one. A place that is known
-/// to be there bounds the answer, and is the answer when rounding leaves nothing.
+/// The place nearest to `near` where all functions are at least `level`, from half-planes that are added one by one.
+/// `known` is such a place; it is the answer where rounding leaves no other, or none that is nearer.
 Point nearest_at_level(std::span<const AffineFunction> functions, double level, const Point& near, const Point& known) {
   Point best = near;
   for (std::size_t i = 0; i < functions.size(); ++i) {
@@ -135,7 +135,7 @@ AffineOptimum maximise_least(std::span<const AffineFunction> functions, double r
         ratio = candidate;
       }
     }
-    if (leaving == 3) break;  // only rounding gets here: every set of functions has an optimum in the square
+    if (leaving == 3) break;  // only rounding leads here, because there always is an optimum in the square
     basis.members[leaving] = entering;
   }
 
@@ -147,7 +147,7 @@ AffineOptimum maximise_least(std::span<const AffineFunction> functions, double r
     result.active[i] = -1;
     if (shares[i] > 1e-9) result.bounded = false;
   }
-  // Whatever rounding did, the value is one that the place has.
+  // The value is computed anew at the place, so that it is true there whatever rounding did.
   const auto value_at = [functions](const Point& q) {
     double value = std::numeric_limits<double>::infinity();
     for (const AffineFunction& f : functions) value = std::min(value, f(q));

@@ -13,9 +13,8 @@ struct AffineFunction {
   double operator()(const Point& q) const { return a * q.x + b * q.y + c; }
 };
 
-/// The optimum, and which functions prove it: no place in the square has a greater least value than a mean of the
-/// functions `active` with the weights `share` (some may be 0). A side of the square, where one is needed, has index
-/// -1.
+/// The optimum, and what proves it: `active` are three functions whose mean with the weights `share` (some may be 0) is
+/// nowhere in the square above the optimum. A side of the square may take the place of a function; its index is -1.
 struct AffineOptimum {
   Point place;
   double value;
@@ -24,9 +23,9 @@ struct AffineOptimum {
   bool bounded;  ///< no side of the square takes part: the optimum is that of the whole plane
 };
 
-/// Maximises the least of the functions over the square |x|, |y| <= reach; of several optima the one nearest to `near`.
-/// A linear program in (x, y, value), by the dual simplex method: every step adds the function that is violated
-/// most and costs one pass over the functions.
+/// Maximises the least of the functions over the square |x|, |y| <= reach; if there are several optima, the result is
+/// the one nearest to `near`. This is a linear program in (x, y, value), solved by the dual simplex method: every step
+/// adds the function that is violated most, and costs one pass over the functions.
 ///
 /// Requires    at least one function; coefficients of the order of 1, reach not beyond 1e6
 AffineOptimum maximise_least(std::span<const AffineFunction> functions, double reach, const Point& near = {});

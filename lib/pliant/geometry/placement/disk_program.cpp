@@ -13,44 +13,48 @@ namespace pliant {
 namespace {
 
 // The disk of a function f at t, {f >= t}, has centre base + v / t and radius |v| sqrt(1 / t^2 - 1); it shrinks to a
-// point at t = 1 and fills a half-plane at t = 0. Values of f are wrong by some 1e-16 however small they are, and by
-// what the last place of q does to them.
+// point at t = 1 and fills a half-plane at t = 0. A computed value of f is wrong by some 1e-16, however small it is,
+// and by what rounding q to doubles changes.
 constexpr int most_exchanges = 60;
-constexpr double greatest_level = 1e11;  // 1 / t
+constexpr double greatest_level = 1e11;  // a level is 1 / t; if two disks only meet at a greater one, no place is good
+/// How far a computed value near t may be off.
 double rounding_at(double t) { return 1e-15 + 1e-12 * t; }
-/// The same for one function, |r|^2 + |v|^2 at the place being `square`: its slope is at most 2 / sqrt(square).
+/// The same for one function at a place where |r|^2 + |v|^2 is `square`, so that its slope is at most 2 / sqrt(square).
 double rounding_at(double t, const Point& place, double square) {
   return rounding_at(t) + 1e-15 * std::sqrt((squared_length(place) + 1) / square);
 }
 
+/// A place where two or three functions have the same value.
 struct Meeting {
   Point place;
   double value;
 };
 
+/// Whether the disk of f at the value of a meeting contains its place, up to rounding.
 bool contains(const ShapeFunction& f, const Meeting& at) {
   const Vector r = at.place - f.base;
   const double square = squared_length(r) + squared_length(f.v);
   return 2 * dot(f.v, r) >= (at.value - 10 * rounding_at(at.value, at.place, square)) * square;
 }
 
-/// Where the disks of two functions, as t falls, first touch: |c1 - c2| = r1 + r2 is a quadratic equation for 1 / t.
+/// Where the disks of two functions first touch as t falls: |c1 - c2| = r1 + r2 is a quadratic equation for 1 / t.
 std::optional<Meeting> meeting(const ShapeFunction& one, const ShapeFunction& other) {
-  // The place is looked for from the smaller disk's base, which is the nearer one.
+  // The place is computed relative to the base of the smaller disk, which is the nearer base.
   const bool is_ordered = squared_length(one.v) <= squared_length(other.v);
   const ShapeFunction &f = is_ordered ? one : other, &g = is_ordered ? other : one;
   const double size_f = std::sqrt(squared_length(f.v)), size_g = std::sqrt(squared_length(g.v));
   const Vector between = g.base - f.base, drift = g.v - f.v;
   const double sizes = size_f + size_g, product = size_f * size_g;
-  // sizes^2 - |drift|^2, without cancellation where the two point in nearly opposite directions.
+  // a = sizes^2 - |drift|^2, without cancellation where the two v have nearly opposite directions.
   const double cosine = dot(f.v, g.v), sine = cross(f.v, g.v);
   const double a = 2 * (cosine > 0 ? product + cosine : sine * sine / (product - cosine));
   const double half_b = dot(between, drift), c = sizes * sizes + squared_length(between);
   const double root = std::sqrt(half_b * half_b + a * c);
   const double level = half_b >= 0 ? (half_b + root) / a : c / (root - half_b);
   if (!(level < greatest_level)) return std::nullopt;
-  // From centre to centre in the frame of v, divided by the level. The point base + level v + radius (unit vector to
-  // the other centre) is near the base where that vector is nearly -v, however great the level.
+  // (x, y) is the way from the centre of f to that of g, in the frame of f.v, divided by the level. The place is
+  // base + level v + radius (unit vector along this way). However great the level is, the place is near the base if
+  // that vector is nearly -v / |v|, so the terms that cancel are combined first.
   const Vector unit = f.v / size_f;
   const double x = (cosine + dot(between, f.v) / level) / size_f - size_f;
   const double y = (sine + cross(f.v, between) / level) / size_f;
@@ -64,10 +68,14 @@ std::optional<Meeting> meeting(const ShapeFunction& one, const ShapeFunction& ot
 
 using Three = std::array<const ShapeFunction*, 3>;
 
-enum class Found { optimum, other, nothing };
+enum class Found {
+  optimum,  ///< the three are equal there, and it is their optimum
+  other,    ///< the three are equal there, but it is not their optimum
+  nothing
+};
 
-/// Where three functions are equal near `at`, by Newton's method on (place, value): their optimum if some mean of the
-/// three gradients vanishes there.
+/// Moves `at` to where three functions are equal, by Newton's method on (place, value). That is their optimum if some
+/// mean of the three gradients vanishes there.
 Found newton(const Three& three, Meeting& at) {
   for (int steps = 0; steps < 12; ++steps) {
     std::array<Vector, 3> slope;
@@ -96,10 +104,10 @@ Found newton(const Three& three, Meeting& at) {
   return Found::nothing;
 }
 
-/// The optimum of three functions that no two of them determine, where Newton's method fails: Dinkelbach's method and
-/// bisection. For a given t the functions 2 v.r - t (|r|^2 + |v|^2) are affine but for a common -t |q|^2. The place
-/// where the least of them is greatest is one of seven: the summit of one, the best place where two are equal, or the
-/// place where three are; their least is positive there as long as t is less than the optimum.
+/// The optimum of three functions that no two of them determine, for when Newton's method fails: by Dinkelbach's method
+/// and bisection. For a given t the functions 2 v.r - t (|r|^2 + |v|^2) are affine, apart from the term -t |q|^2, which
+/// all three have. The place where the least of them is greatest is one of seven: the summit of one, the best place
+/// where two are equal, or the place where three are. The least is positive there if t is less than the optimum.
 std::optional<Meeting> search_meeting(const Three& three, double most) {
   Meeting best{{}, 0};
   double high = most;
@@ -140,8 +148,8 @@ std::optional<Meeting> search_meeting(const Three& three, double most) {
   return best;
 }
 
-/// The member of a basis of three that leaves it when h enters, as in the simplex method: by the gradients at the
-/// place.
+/// Which member of a basis of three leaves it when h enters, found from the gradients at the place as in the simplex
+/// method.
 std::size_t leaving_member(const Three& members, const Point& place, const ShapeFunction& h) {
   const auto slope_at = [&place](const ShapeFunction& f) {
     const Vector r = place - f.base;
@@ -163,8 +171,8 @@ std::size_t leaving_member(const Three& members, const Point& place, const Shape
   return leaving;
 }
 
-/// The basis of the members and one more function, which is in it: alone with one of them, or with two. Empty where
-/// rounding hides it; `is_none` where the two have no place.
+/// The basis of the members and one more function, `entering`, which it contains together with one or two of the
+/// members. Empty where rounding hides it; also, with `is_none` set, where two functions have no good place in common.
 std::optional<DiskBasis> exchange(std::span<const ShapeFunction> functions, const DiskBasis& basis,
                                   std::size_t entering, bool& is_none) {
   const std::span<const std::size_t> members(basis.members.data(), basis.count);
@@ -177,7 +185,7 @@ std::optional<DiskBasis> exchange(std::span<const ShapeFunction> functions, cons
   const auto triple = [&](std::size_t i, std::size_t j, const Meeting& at) {
     return DiskBasis{{members[i], members[j], entering}, 3, at.place, at.value};
   };
-  if (members.size() == 3) {  // nearly always right
+  if (members.size() == 3) {  // this guess is nearly always right
     const std::size_t leaving =
         leaving_member({&functions[members[0]], &functions[members[1]], &functions[members[2]]}, here.place, h);
     const std::size_t i = leaving == 0 ? 1 : 0, j = leaving == 2 ? 1 : 2;
@@ -246,7 +254,7 @@ std::optional<DiskOptimum> maximise_least(std::span<const ShapeFunction> functio
     bool is_none = false;
     const auto next = exchange(functions, basis, entering, is_none);
     if (is_none) return std::nullopt;
-    if (!next) break;  // rounding: the best so far
+    if (!next) break;  // rounding hides the next basis; the best place so far is the answer
     basis = *next;
   }
   if (!(best.value > 0)) return std::nullopt;

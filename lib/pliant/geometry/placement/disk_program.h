@@ -26,18 +26,19 @@ struct DiskOptimum {
   double value;  ///< the least of the functions at the place
 };
 
-/// The functions that determine an optimum: where one more is added, a good start of the next solution.
+/// The functions that determine an optimum, and the optimum. When functions are added, the old basis is a good start
+/// for the new optimum.
 struct DiskBasis {
   std::array<std::size_t, 3> members{};
   std::size_t count = 0;  ///< 0: none is known
   Point place;
-  double value = 1;  ///< of the members at the place
+  double value = 1;  ///< what all members are at the place
 };
 
-/// Maximises the least of the functions: a quasiconvex program whose optimum is determined by at most three of them
-/// (Amenta, Bern, Eppstein 1999). Exchanges them one by one: two disks first meet where they touch, in closed form;
-/// three circles meet where Newton's method finds it. The value is within 1e-10 of the optimum; empty if no place has
-/// values above 1e-10.
+/// Maximises the least of the functions. This is a quasiconvex program, whose optimum is determined by at most three
+/// functions (Amenta, Bern, Eppstein 1999). They are exchanged one by one. The optimum of two is where their disks
+/// first touch, in closed form; the optimum of three is where their circles meet, by Newton's method. The value is
+/// within 1e-10 of the optimum; empty if no place has values above 1e-10.
 ///
 /// Requires    at least one function; sizes of the order of 1; `basis` is empty, or what the program left behind when
 ///             it was solved with the first of these functions

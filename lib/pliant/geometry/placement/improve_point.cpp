@@ -21,12 +21,12 @@ namespace {
 using Outcome = Placement::Outcome;
 using Program = Placement::Program;
 
-constexpr int most_rounds = 60;        // of cuts
-constexpr int plain_rounds = 6;        // before cuts are made on the way as well
-constexpr double least_width = 5e-11;  // less is not asked for
+constexpr int most_rounds = 60;        // rounds of cuts
+constexpr int plain_rounds = 6;        // rounds that cut at the optimum only; later ones also cut on the way to it
+constexpr double least_width = 5e-11;  // a value this close to the bound of the optimum is always good enough
 
-/// tau as a function of the place q where the Jacobian's columns are fixed + q * rate (along xi2, xi3). Empty where
-/// tau changes by less than rounding over the star.
+/// tau as a function of the place q, where the Jacobian's columns (along xi2 and xi3) are fixed + q * rate. Empty if
+/// tau changes by less than rounding over the whole star.
 std::optional<ShapeFunction> shape_function(const Vector& fixed_2, const Vector& fixed_3, double rate_2,
                                             double rate_3) {
   // T = J E^-1, E the map from the unit right triangle to the equilateral one.
@@ -39,14 +39,15 @@ std::optional<ShapeFunction> shape_function(const Vector& fixed_2, const Vector&
   return ShapeFunction{-by * (n1 * a1 + n2 * a2), by * perpendicular(n2 * a1 - n1 * a2)};
 }
 
-/// tau where these are the Jacobian's columns.
+/// tau at a point where the Jacobian has these columns.
 double shape_of(const Vector& along_2, const Vector& along_3) {
   const Vector second = std::numbers::inv_sqrt3 * (2 * along_3 - along_2);
   const double square = squared_length(along_2) + squared_length(second);
   return square > 0 ? 2 * cross(along_2, second) / square : 0;
 }
 
-/// What the pointwise shape of the elements depends on; cuts are points xi. Memory is reused from call to call.
+/// tau at points xi of the elements, each as a function of the place of the moving control point. Such points are added
+/// as cuts. Memory is reused from call to call.
 class ElementShapes {
  public:
   std::vector<ShapeFunction> functions;
@@ -62,7 +63,7 @@ class ElementShapes {
     for (std::size_t e = 0; e < star.count(); ++e) sample(e);
   }
 
-  /// The least shape with the point at a place; every element's worst point is kept for `cut`.
+  /// Bounds of the least shape with the moving point at a place. The worst point of each element is kept for `cut`.
   ShapeBounds at(const Point& place) {
     ShapeBounds least{1, 1, {}};
     for (std::size_t e = 0; e < worst_.size(); ++e) {
@@ -73,7 +74,7 @@ class ElementShapes {
     return least;
   }
 
-  /// Adds the worst points of elements with less than `value`; false if there is none that depends on the place.
+  /// Adds the worst points of all elements whose shape is below `value`; false if none of them depends on the place.
   bool cut(double value) {
     const std::size_t before = functions.size();
     for (std::size_t e = 0; e < worst_.size(); ++e)
@@ -107,7 +108,7 @@ class ElementShapes {
       cap = std::min(cap, shape_of(along_2, along_3));
   }
 
-  /// A first choice: the nodes of the element's own degree, and the centre.
+  /// The first cuts of an element: the nodes of its own degree, and the centre.
   void sample(std::size_t e) {
     const int p = star_->degree();
     if (p > 1) {  // on a straight element tau is the same everywhere
@@ -132,7 +133,7 @@ Placement improve_elements(PlacementStar& star, const Point& start, double accur
   shapes.begin(star, std::max(accuracy / 4, 1e-11));
   const ShapeBounds at_start = shapes.at(star.local(start));
   Placement best{Outcome::stuck, start, at_start.lower, Program::shape};
-  // What would be gained must exceed what is not known of the start.
+  // A new place must be better than the start could be, whose shape is only known to be between two bounds.
   double to_beat = -std::numeric_limits<double>::infinity();
   if (star.is_certified(start)) {
     best.outcome = Outcome::placed;
@@ -157,8 +158,8 @@ Placement improve_elements(PlacementStar& star, const Point& start, double accur
     const ShapeBounds there = look_at(place);
     if (there.lower >= most - width || !shapes.cut(basis.value - width / 2)) break;
     if (round < plain_rounds) continue;
-    // Where the worst point runs along the element, cuts at places far beyond the border of what is valid tell little:
-    // now also on the way there from the best place.
+    // The worst point of an element moves with the place, so that cuts at places far outside the valid ones tell little
+    // about these. Now cuts are also made half way between the best place and the optimum.
     if (best.outcome != Outcome::placed && round == plain_rounds) {
       const Placement valid = untangle_point(star.degree(), star.elements(), start);
       if (valid.outcome == Outcome::hopeless) return valid;
@@ -180,7 +181,7 @@ Placement improve_control_mesh(PlacementStar& star, const Point& start) {
   for (std::size_t e = 0; e < star.count(); ++e) {
     const auto net = star.net(e, {});
     star.for_control_triangles(e, [&](const std::array<int, 3>& corners, std::size_t which) {
-      // The moving corner taken as the first: both columns fall by q.
+      // The moving corner q is taken as the first one, so that both columns are a fixed corner minus q.
       const Point& second = net[static_cast<std::size_t>(corners[(which + 1) % 3])];
       const Point& third = net[static_cast<std::size_t>(corners[(which + 2) % 3])];
       functions.push_back(*shape_function(second, third, -1, -1));
@@ -198,8 +199,8 @@ Placement improve_control_mesh(PlacementStar& star, const Point& start) {
   if (!optimum || (best.outcome == Outcome::placed && optimum->value <= best.value + least_width)) return best;
   const Point goal = star.world(optimum->place);
   if (star.is_certified(goal)) return {Outcome::placed, goal, least(goal), Program::shape};
-  // Elements may be tangled there, though their control triangles are not. Valid places are a convex set, and on the
-  // way from one that has less shape than the goal the shape rises.
+  // Elements may be tangled at the goal although their control triangles are not. Then the goal is approached from a
+  // valid place: the valid places are a convex set, and the shape rises on the way to the goal.
   if (best.outcome != Outcome::placed) {
     best = untangle_point(star.degree(), star.elements(), start);
     if (best.outcome != Outcome::placed) return best;

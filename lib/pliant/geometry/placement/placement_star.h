@@ -13,8 +13,8 @@
 
 namespace pliant {
 
-/// The elements in coordinates in which the fixed control points fill the square |x|, |y| <= 1 in one direction at
-/// least: what is solved for is of the order of 1, wherever the moving point starts. Memory is reused from call to
+/// The elements in local coordinates, in which the box of the fixed control points has a size of about 1 and is near
+/// the origin: what is solved for is of the order of 1, wherever the moving point starts. Memory is reused from call to
 /// call.
 class PlacementStar {
  public:
@@ -25,7 +25,8 @@ class PlacementStar {
     for (const PlacementElement& element : elements)
       for (std::size_t n = 0; n < points(); ++n)
         if (static_cast<int>(n) != element.moving) box.extend(element.net[n]);
-    // Neither shift nor scale rounds: a shift is by much more than the extent, or none, and the scale a power of two.
+    // Neither the shift nor the scale rounds. A coordinate is shifted only if all its values are within a factor of two
+    // of the shift, and the scale is a power of two.
     const Point middle = 0.5 * box.low + 0.5 * box.high;
     const double half = std::max(box.high.x - middle.x, box.high.y - middle.y);
     size_ = 1;
@@ -59,7 +60,7 @@ class PlacementStar {
     net[elements_[e].moving] = place;
     return {net, points()};
   }
-  /// Every element as stored is valid with the moving point at a place of the plane.
+  /// Whether every element, in its stored coordinates, is valid with the moving point at a place of the plane.
   bool is_certified(const Point& world_place) const {
     std::array<Point, net_size(max_degree)> net;
     for (const PlacementElement& element : elements_) {
@@ -70,8 +71,8 @@ class PlacementStar {
     return true;
   }
 
-  /// Calls visit(corners, which) for each control triangle of the element that the moving point is a corner of (the
-  /// `which`-th, 0..2); counter-clockwise in an element that is.
+  /// Calls visit(corners, which) for each control triangle of the element that has the moving point as a corner, number
+  /// `which` (0..2). The corners run counter-clockwise if those of the element do.
   template <class Visit>
   void for_control_triangles(std::size_t e, Visit visit) const {
     const NetLayout& layout = NetLayout::of(degree_);
@@ -82,7 +83,7 @@ class PlacementStar {
     for (int i = 0; i < degree_; ++i)
       for (int j = 0; i + j < degree_; ++j) {
         triangle({layout.index(i + 1, j), layout.index(i, j + 1), layout.index(i, j)});
-        if (i + j < degree_ - 1)  // the one upside down between its neighbours
+        if (i + j < degree_ - 1)  // the triangle between three of these, which is upside down
           triangle({layout.index(i + 1, j + 1), layout.index(i, j + 1), layout.index(i + 1, j)});
       }
   }

@@ -1,4 +1,4 @@
-// lib/pliant/geometry/placement/quadratic_shape.cpp: Dinkelbach's method.
+// lib/pliant/geometry/placement/quadratic_shape.cpp: the least ratio of two quadratic forms, by Dinkelbach's method.
 #include "pliant/geometry/placement/quadratic_shape.h"
 
 #include <algorithm>
@@ -9,9 +9,9 @@
 namespace pliant {
 namespace {
 
-constexpr int most_steps = 30;             // it converges quadratically, and stops by itself
-constexpr double rounding = 0x1p-53 * 64;  // of `least_value`, relative to the greatest entry
-constexpr double flat = 1e-14;             // a form this flat in some direction is least on the boundary
+constexpr int most_steps = 30;             // never reached: convergence is quadratic, and the loop ends by itself
+constexpr double rounding = 0x1p-53 * 64;  // the error of `least_value`, relative to the greatest entry
+constexpr double flat = 1e-14;             // a form this flat in some direction is taken to be least on the boundary
 
 struct LeastValue {
   double value;
@@ -83,7 +83,8 @@ ShapeBounds least_ratio(const QuadraticForm& numerator, const QuadraticForm& den
     bounds.upper = ratio;
     bounds.worst = lowest.at;
   }
-  // Nowhere less than t - d if numerator - (t - d) denominator is positive; d as at the worst place first.
+  // The ratio is nowhere less than t - width if numerator - (t - width) denominator is positive everywhere. The width
+  // that suffices at the worst place is tried first.
   const double there = value_at(denominator, bounds.worst);
   const double width = there > 0 ? 3 * guard / there : 0;
   if (QuadraticForm m; least >= -guard && width > 0) {

@@ -18,12 +18,14 @@
 namespace pliant {
 namespace {
 
-constexpr double least_width = 1e-11;  // less is not asked for
+constexpr double least_width = 1e-11;  // bounds this close to each other are always close enough
 
-/// One coefficient of sqrt(3) det J, and of |chi_2|^2 - chi_2.chi_3 + |chi_3|^2: tau is the first over the second.
+/// One Bernstein coefficient of sqrt(3) det J, and one of |chi_2|^2 - chi_2.chi_3 + |chi_3|^2. tau is the ratio of the
+/// two polynomials.
 struct Ratio {
   double determinant, square;
 };
+/// How bisect_net takes means of such pairs.
 struct RatioMean {
   static void add(Ratio& a, const Ratio& b) {
     a = {0.5 * (a.determinant + b.determinant), 0.5 * (a.square + b.square)};
@@ -32,12 +34,12 @@ struct RatioMean {
 };
 
 struct Piece {
-  double lower;
-  std::size_t coefficients;  ///< where they begin
+  double lower;              ///< a lower bound of tau on the piece
+  std::size_t coefficients;  ///< the index of its first coefficient
   std::array<Barycentric, 3> corners;
 };
 
-/// A power of two that brings the net's extent to about 1: squares neither overflow nor underflow.
+/// A power of two by which the net is scaled so that squares neither overflow nor underflow; mostly 1.
 double scale_of(std::span<const Point> net) {
   Box box;
   for (const Point& p : net) box.extend(p);
@@ -49,7 +51,7 @@ double scale_of(std::span<const Point> net) {
   return std::ldexp(1, -exponent);
 }
 
-/// Memory is reused from call to call.
+/// The pieces of an element in a heap, the one with the least bound of tau on top. Memory is reused from call to call.
 class Enclosure {
  public:
   void begin(int degree, std::span<const Point> net) {
@@ -108,7 +110,7 @@ class Enclosure {
     piece.lower = 1;
     for (std::size_t i = 0; i < size_; ++i) {
       const double square = first[i].square, determinant = first[i].determinant - error_;
-      // tau >= -1 anyway: all that is known where a coefficient of the square is not positive.
+      // tau is at least -1 everywhere. If a coefficient of the square is not positive, nothing more is known.
       const double bound = square > error_ ? determinant / (determinant > 0 ? square + error_ : square - error_) : -1;
       piece.lower = std::min(piece.lower, std::max(bound, -1.0));
     }
@@ -134,13 +136,15 @@ class Enclosure {
   Barycentric worst_{};
 };
 
-/// p = 2: the columns of T, up to a common factor, at the corners of a piece; in between they are linear.
+/// A piece of an element with p = 2: the two columns of T, up to a common factor, at its corners. Between the corners
+/// they are linear.
 struct LinearPiece {
   std::array<Vector, 3> u, w;
   std::array<Barycentric, 3> corners;
   ShapeBounds bounds;
 
-  /// Numerator and denominator of tau are quadratic forms. `greatest` is that of |T|^2 in the whole element.
+  /// Bounds tau, whose numerator and denominator are quadratic forms. `greatest` is the greatest |T|^2 at a corner of
+  /// the whole element.
   void enclose(double greatest) {
     QuadraticForm determinant, square;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -153,7 +157,7 @@ struct LinearPiece {
     const double most = std::max({square[0], square[1], square[2]});
     bounds = least_ratio(determinant, square,
                          8 * std::numeric_limits<double>::epsilon() * std::sqrt(most * std::max(most, greatest)));
-    // Where T nearly vanishes the forms know less of tau than T itself does.
+    // Where T nearly vanishes, tau is more precise when it is computed from T than from the forms.
     const Barycentric local = bounds.worst;
     Vector a, b;
     bounds.worst = {};
@@ -167,7 +171,7 @@ struct LinearPiece {
     bounds.lower = std::min(bounds.lower, bounds.upper);
   }
 
-  /// The half at one end of the first edge, which is the last to be halved again.
+  /// The half at one end of edge 01, its corners in the order of newest-vertex bisection.
   LinearPiece half(std::size_t end) const {
     const auto middle = [](const auto& ends) { return 0.5 * (ends[0] + ends[1]); };
     const std::size_t first = end == 0 ? 0 : 2, second = end == 0 ? 2 : 1;

@@ -1,4 +1,4 @@
-// lib/pliant/geometry/placement/touching_disks.cpp: the disks beside a curve that reach the next point of a curve.
+// lib/pliant/geometry/placement/touching_disks.cpp: disks that shrink until no sample is inside.
 #include "pliant/geometry/placement/touching_disks.h"
 
 #include <algorithm>
@@ -15,7 +15,7 @@ using Place = boost::geometry::model::d2::point_xy<double>;
 using Entry = std::pair<Place, std::size_t>;
 using Tree = bgi::rtree<Entry, bgi::quadratic<16>>;
 
-constexpr double settled = 1e-9;  // relative change of a radius that ends the search
+constexpr double settled = 1e-9;  // when a radius shrinks by less than this, relatively, the search ends
 
 bool meet(const CurveStretch& a, const CurveStretch& b) {
   const auto is_end_of_b = [&b](int place) { return place >= 0 && (place == b.first || place == b.last); };
@@ -32,7 +32,7 @@ std::vector<double> touching_disks(std::span<const CurveSample> samples, std::sp
     entries.emplace_back(Place(samples[k].place.x, samples[k].place.y), k);
   const Tree tree(entries.begin(), entries.end());
 
-  // Shrunk by the point nearest to the disk's centre until there is none inside.
+  // The disk is shrunk until it touches the sample nearest to its centre, again and again until none is inside.
   const auto radius_towards = [&](const CurveSample& sample, const Vector& normal) {
     const auto counts = [&](const Entry& entry) {
       const CurveSample& other = samples[entry.second];

@@ -16,10 +16,11 @@
 namespace pliant {
 namespace {
 
-constexpr double reach = 4;          // places looked at: as far as four times the half extent of the star
-constexpr int most_rounds = 80;      // of cuts
-constexpr double proof_gap = 1e-11;  // above all rounding of coefficients of the order of 1
+constexpr double reach = 4;          // how far from the middle of the star places are sought, in its half extents
+constexpr int most_rounds = 80;      // rounds of cuts
+constexpr double proof_gap = 1e-11;  // more than rounding can change a coefficient of the order of 1
 
+/// How bisect_net takes means of affine functions.
 struct AffineMean {
   static void add(AffineFunction& f, const AffineFunction& g) {
     f = {0.5 * (f.a + g.a), 0.5 * (f.b + g.b), 0.5 * (f.c + g.c)};
@@ -27,11 +28,11 @@ struct AffineMean {
   static void align(AffineFunction&, int) {}
 };
 
-/// The function of the way from the middle of the star.
+/// The same function, but of the place relative to the middle of the star.
 AffineFunction from_middle(const PlacementStar& star, const AffineFunction& f) { return {f.a, f.b, f(star.middle())}; }
 
-/// det J of the elements, or of pieces of them: coefficients that are affine in the place (from the middle of the
-/// star), in lattice order, piece after piece. Memory is reused from call to call.
+/// det J of the elements, or of pieces of them, as coefficients that are affine functions of the place (relative to the
+/// middle of the star). They are in lattice order, piece after piece. Memory is reused from call to call.
 class AffineJacobians {
  public:
   void start(PlacementStar& star) {
@@ -41,12 +42,12 @@ class AffineJacobians {
     rounding_ = proof_gap;
     for (std::size_t e = 0; e < star.count(); ++e) add_element(star, e);
   }
-  /// Above the rounding of the functions at places of the order of 1.
+  /// A bound of the rounding errors of the functions at places of the order of 1.
   double rounding() const { return rounding_; }
   std::span<const AffineFunction> functions() const { return functions_; }
   std::size_t pieces() const { return functions_.size() / size_; }
   std::size_t piece_of(std::size_t function) const { return function / size_; }
-  /// Values of det J at the corners of a piece are no mere bounds.
+  /// Whether a function is a value of det J, at a corner of a piece; the others are only bounds of it.
   bool is_value(std::size_t function) const {
     const auto corners = lattice_corners(degree_);
     return std::find(corners.begin(), corners.end(), static_cast<int>(function % size_)) != corners.end();
@@ -75,7 +76,7 @@ class AffineJacobians {
     jacobian_net(star.degree(), star.net(e, {0, 1}), along_y);
     const std::span<const Point> net = star.net(e, {0, 0});
     jacobian_net(star.degree(), net, at_origin);
-    // The element's own size, not the star's: no element is neglected because another one is large.
+    // The scale is the element's own size and not the star's, so that no element is neglected because another is large.
     Box box;
     for (std::size_t n = 0; n < net.size(); ++n)
       if (static_cast<int>(n) != star.moving(e)) box.extend(net[n]);
@@ -93,7 +94,8 @@ class AffineJacobians {
   std::vector<AffineFunction> functions_, values_;
 };
 
-/// At a corner whose two neighbours on the edges stay as well, det J stays: not positive there, never valid.
+/// Whether det J is not positive at a corner that the moving point does not affect, because it is neither the corner
+/// nor its neighbour on an edge. Then no place makes the element valid.
 bool is_fixed_corner_bad(const PlacementElement& element, int degree) {
   const NetLayout& layout = NetLayout::of(degree);
   for (int corner = 0; corner < 3; ++corner) {
@@ -105,8 +107,9 @@ bool is_fixed_corner_bad(const PlacementElement& element, int degree) {
   return false;
 }
 
-/// Proof that no place within 1000 half extents makes the values at the corners of all pieces positive: nowhere is
-/// their least above this mean of them, whatever rounding did to the shares.
+/// Proves, or does not, that no place within 1000 half extents makes the values at the corners of all pieces positive.
+/// Their least is nowhere above a mean of them, so one mean that is negative in that whole square is a proof, whatever
+/// rounding did to its weights.
 bool is_hopeless(AffineJacobians& jacobians) {
   constexpr double far = 1e3;
   const std::span<const AffineFunction> values = jacobians.corner_values();
@@ -125,7 +128,7 @@ bool is_hopeless(AffineJacobians& jacobians) {
   return mean.c + far * (std::fabs(mean.a) + std::fabs(mean.b)) <= -jacobians.rounding() * shares;
 }
 
-/// The pieces to look closer at: those where a coefficient that is no value of det J holds the optimum down.
+/// The pieces to bisect: those where a coefficient that is not a value of det J holds the optimum down.
 void find_tight(const AffineJacobians& jacobians, const AffineOptimum& optimum, std::vector<std::size_t>& tight) {
   tight.clear();
   for (std::size_t i = 0; i < 3; ++i) {
@@ -133,7 +136,7 @@ void find_tight(const AffineJacobians& jacobians, const AffineOptimum& optimum, 
     if (n < 0 || optimum.share[i] <= 0 || jacobians.is_value(static_cast<std::size_t>(n))) continue;
     tight.push_back(jacobians.piece_of(static_cast<std::size_t>(n)));
   }
-  // Several optima, or rounding: any piece that is not positive there.
+  // There may be none, because of several optima or rounding. Then all pieces that are not positive at the optimum.
   const auto functions = jacobians.functions();
   if (tight.empty())
     for (std::size_t n = 0; n < functions.size(); ++n)
@@ -158,8 +161,8 @@ Placement untangle_elements(PlacementStar& star, const Point& start, std::size_t
       best.place = place;
       best.value = optimum.value;
     }
-    // Coefficients are bounds only: the certificate may see further. It and the proof cost as much as many cuts, so
-    // that they are asked less and less often.
+    // The coefficients are only bounds, so that a place may be certified although one of them is negative. The
+    // certificate and the proof cost as much as many cuts, so they are tried less and less often.
     const bool is_milestone = (round & (round - 1)) == 0;
     if ((is_milestone || optimum.value > 0) && star.is_certified(place))
       return {Placement::Outcome::placed, place, optimum.value, area};
@@ -185,7 +188,7 @@ Placement untangle_control_mesh(PlacementStar& star, const Point& start) {
   for (std::size_t e = 0; e < star.count(); ++e) {
     const auto net = star.net(e, {});
     star.for_control_triangles(e, [&](const std::array<int, 3>& corners, std::size_t which) {
-      // Area (b - a) x (q - a) / 2 of the fixed corners a, b and the moving q.
+      // The area is (b - a) x (q - a) / 2, with fixed corners a and b and the moving corner q.
       const Point& a = net[static_cast<std::size_t>(corners[(which + 1) % 3])];
       const Point& b = net[static_cast<std::size_t>(corners[(which + 2) % 3])];
       const Vector side = b - a;

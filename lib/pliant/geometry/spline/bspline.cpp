@@ -12,7 +12,7 @@
 namespace pliant {
 namespace {
 
-/// Copies an end where alpha selects it, so that repeated knots copy control points bit for bit.
+/// (1 - alpha) a + alpha b; for alpha 0 or 1 a copy, so that repeated knots keep control points bit for bit.
 Point between(const Point& a, const Point& b, double alpha) {
   if (alpha == 0) return a;
   if (alpha == 1) return b;
@@ -27,7 +27,7 @@ struct Local {
   double knot(int i) const { return knots[static_cast<std::size_t>(i)]; }
   Point& point(int i) { return points[static_cast<std::size_t>(i)]; }
 
-  /// One step of de Boor's algorithm with argument u: the r-th of p, on the points r .. last.
+  /// Step r (of p) of de Boor's algorithm with argument u, which changes points r .. last.
   void step(int p, int r, int last, double u) {
     for (int j = last; j >= r; --j) {
       const double low = knot(j - 1), high = knot(j + p - r);
@@ -38,14 +38,14 @@ struct Local {
 
 std::string number(const char* what, std::size_t i) { return std::string(what) + "/" + std::to_string(i); }
 
-/// "knots/3 is 0.5": its place opens the text.
+/// For example "knots/3 is 0.5"; a message opens with the place of the fault.
 std::string knot_is(std::span<const double> knots, std::size_t i) {
   std::array<char, 32> text;
   const auto end = std::to_chars(text.data(), text.data() + text.size(), knots[i]).ptr;
   return number("knots", i) + " is " + std::string(text.data(), end);
 }
 
-/// The first knot that repeats its value more often than `limit`, the knots before `from` and from `to` on left out.
+/// The first of the knots from .. to - 1 that has more than `limit` copies up to and including itself.
 std::optional<std::size_t> too_often(std::span<const double> knots, std::size_t from, std::size_t to, int limit) {
   int count = 0;
   for (std::size_t i = from; i < to; ++i) {
@@ -129,7 +129,7 @@ double BSpline::knot(int i) const {
   const int m = static_cast<int>(points_.size());
   const auto at = [this](int j) { return knots_[static_cast<std::size_t>(j)]; };
   if (!closed_ || (0 <= i && i <= m)) return at(i);
-  // Measured from the seam: copies of the seam's own knot meet it bit for bit.
+  // Differences are measured from the seam, so that copies of the seam's own knot are equal to it bit for bit.
   const double first = knots_.front(), last = knots_.back();
   if (i < 0) {
     const int periods = (-i - 1) / m;
@@ -210,7 +210,7 @@ Vector BSpline::derivative(double t, bool from_left) const {
   if (closed_ && t >= last_parameter()) t = first_parameter();
   if (from_left && (closed_ || t > first_parameter()))
     while (knot(k) >= t) --k;  // on a closed curve this may cross the seam
-  Local local;                 // the derivative: degree p - 1, knots without the two outermost
+  Local local;                 // the derivative has degree p - 1; its knots are the curve's without the two outermost
   for (int j = 1; j <= p; ++j) {
     const int i = k - p + j;
     local.point(j - 1) = p / (knot(i + p) - knot(i)) * (point(i) - point(i - 1));
@@ -228,10 +228,10 @@ void BSpline::extract(double t0, std::span<Point> out) const {
   Local whole;
   for (int j = 0; j <= p; ++j) whole.point(j) = point(k - p + j);
   for (int j = 0; j < 2 * p; ++j) whole.knots[static_cast<std::size_t>(j)] = knot(k - p + 1 + j);
-  // Both neighbours of a break ask the same routine for its value.
+  // Both spans at a break take its point from the same function, so that they agree bit for bit.
   out.front() = evaluate(from);
   out.back() = evaluate(to);
-  for (int b = 1; b < p; ++b) {  // the blossom at p - b times `from` and b times `to`
+  for (int b = 1; b < p; ++b) {  // the blossom with `from` as p - b of its arguments and `to` as b of them
     Local local = whole;
     for (int r = 1; r <= p; ++r) local.step(p, r, p, r <= p - b ? from : to);
     out[static_cast<std::size_t>(b)] = local.point(p);

@@ -12,8 +12,8 @@
 namespace pliant {
 namespace {
 
-/// A banded matrix whose last `border` rows and columns are full, with two right sides: on a closed curve the band
-/// wraps round, and what wraps lies in the border.
+/// A matrix that is banded, except for its last `border` rows and columns, which may be full. On a closed curve the
+/// band wraps round; the entries that wrap are put into the border.
 class BorderedBand {
  public:
   BorderedBand(int size, int width, int border)
@@ -25,7 +25,7 @@ class BorderedBand {
         below_(count(border * inner_width())),
         corner_(count(border * border)) {}
 
-  /// Entry (i, j); within the band, or in the border.
+  /// Sets entry (i, j) of the band, or adds to entry (i, j) of the border, where several columns may wrap to one.
   void set(int i, int j, double value) {
     if (i < inner_ && j < inner_)
       band(i, j) = value;
@@ -86,12 +86,13 @@ class BorderedBand {
   bool near_end(int j) const { return inner_ <= 2 * width_ || j < width_ || j >= inner_ - width_; }
   double& band(int i, int j) { return band_[count(i * (2 * width_ + 1) + j - i + width_)]; }
   double& right(int i, int c) { return right_[count(i * border_ + c)]; }
-  /// The border's rows meet the band's columns only near their two ends.
+  /// The rows of the border are 0 except in the first and last columns of the band, so only those are stored.
   double& below(int r, int j) {
     const int at = inner_ <= 2 * width_ || j < width_ ? j : j - inner_ + 2 * width_;
     return below_[count(r * inner_width() + at)];
   }
 
+  /// Solves for the unknowns of the border, by an LU decomposition with row exchanges.
   bool solve_corner(std::span<Point> b) {
     if (border_ == 0) return true;
     constexpr int most = 3 * (max_curve_degree - 1);
@@ -112,7 +113,7 @@ class BorderedBand {
 }  // namespace
 
 double BSpline::unreduced_greville(int i) const {
-  // Offsets from the first of the knots: exact where they all coincide.
+  // The mean is taken of offsets from the first of the knots, so that it is exact where all of them coincide.
   const double start = knot(i + 1);
   double sum = 0;
   for (int j = 2; j <= degree_; ++j) sum += knot(i + j) - start;
@@ -146,7 +147,8 @@ bool BSpline::interpolate(std::span<const Point> values) {
       double carried = 0;
       for (int j = 0; j < r; ++j) {
         const double high = knot(k + j + 1), low = knot(k + j + 1 - r);
-        // Quotients first: at a knot they are exactly 0 and 1, and so a row there is one of the identity.
+        // Quotients are taken first: at a knot they are exactly 0 or 1, so that an abscissa at a knot of full
+        // multiplicity makes a row of the identity.
         const double value = basis[static_cast<std::size_t>(j)], extent = high - low;
         basis[static_cast<std::size_t>(j)] = carried + (high - g) / extent * value;
         carried = (g - low) / extent * value;
@@ -155,7 +157,7 @@ bool BSpline::interpolate(std::span<const Point> values) {
     }
     for (int j = 0; j <= p; ++j) {
       const int column = k - p + j;
-      if (std::abs(column - i) > width) continue;  // zero there: g lies between knots i + 1 and i + p
+      if (std::abs(column - i) > width) continue;  // the value is 0, because g lies between knots i + 1 and i + p
       matrix.set(i, closed_ ? (column % n + n) % n : column, basis[static_cast<std::size_t>(j)]);
     }
   }

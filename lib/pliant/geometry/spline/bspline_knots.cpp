@@ -13,8 +13,9 @@ namespace {
 
 int modulo(int i, int n) { return (i % n + n) % n; }
 
-/// The least-squares solution of (1 - alpha[q]) x[q - 1] + alpha[q] x[q] = b[q], q = 0..n, for x[0..n-1], where x[-1]
-/// and x[n] are already known and moved to the right side: one equation too many. Givens rotations.
+/// The least-squares solution x[0..n-1], by Givens rotations, of the n + 1 equations
+/// (1 - alpha[q]) x[q - 1] + alpha[q] x[q] = b[q], q = 0..n. The caller knows x[-1] and x[n] and has moved their terms
+/// to the right side. The solution takes the place of b[0..n-1].
 void solve_bidiagonal(int n, std::span<const double> alpha, std::span<Point> b) {
   std::array<double, max_curve_degree + 1> diagonal{}, above{};
   double pivot = alpha[0];
@@ -36,7 +37,7 @@ void solve_bidiagonal(int n, std::span<const double> alpha, std::span<Point> b) 
   }
 }
 
-/// What `at_slot` says of the slots near the two ends of `size`, as far as a change at a seam reaches.
+/// The slots near the two ends of 0 .. size - 1, as far as a change at the seam reaches, each with its at_slot(slot).
 template <class AtSlot>
 std::vector<std::pair<int, Point>> near_seam(int size, int degree, const AtSlot& at_slot) {
   std::vector<std::pair<int, Point>> found;
@@ -142,7 +143,7 @@ void BSpline::insert_knot(double t, Edits* edits) {
   if (first >= 0) {
     insert_point(first + count - 1, edits);
     for (int j = 0; j < count; ++j) set_point(first + j, fresh[static_cast<std::size_t>(j)], edits);
-  } else {  // round the seam: what is far from it moves one place on
+  } else {  // the change crosses the seam; control points far from the seam move on by one place
     const auto at_slot = [&](int slot) {
       const int j = modulo(slot - first, n + 1);
       return j < count ? fresh[static_cast<std::size_t>(j)] : point(first + j - 1);
@@ -160,8 +161,8 @@ std::optional<BSpline::KnotRemoval> BSpline::plan_removal(double& t) const {
   if (closed_ && t == last_parameter()) t = first_parameter();
   const int s = multiplicity(t);
   if (s == 0 || s > p || (closed_ && m <= p)) return std::nullopt;
-  const int r = interval(t);  // the knot that goes is the last of its copies
-  // Without it the knots are u_i = t_i (i < r), t_{i+1} (i >= r), and the points x_i obey
+  const int r = interval(t);  // the last copy of t is the one that goes
+  // Without this knot the knots are u_i = t_i (i < r), t_{i+1} (i >= r), and the points x_i obey
   // d_i = (1 - alpha_i) x_{i-1} + alpha_i x_i, i = r - p .. r - s, where x_{r-p-1} and x_{r-s} stay as they are.
   const int from = r - p, n = p - s;
   std::array<double, max_curve_degree + 1> alpha;
@@ -198,11 +199,11 @@ std::optional<double> BSpline::remove_knot(double t, Edits* edits) {
   const auto& [r, s, from, n, x, error] = *plan;
   const int p = degree_, m = static_cast<int>(points_.size());
   const bool seam_goes = closed_ && r == 0 && s == 1;
-  const int origin = closed_ && r == 0 && s > 1 ? -1 : 0;  // u_origin is the first knot
+  const int origin = closed_ && r == 0 && s > 1 ? -1 : 0;  // u_origin becomes the first knot
   if (from >= 0 && origin == 0) {
     erase_point(from + n, edits);
     for (int j = 0; j < n; ++j) set_point(from + j, x[static_cast<std::size_t>(j)], edits);
-  } else {  // round the seam: what is far from it moves one place back, or none
+  } else {  // the change crosses the seam; control points far from the seam move back by one place, or not at all
     const auto at_slot = [&](int slot) {
       const int j = modulo(slot + origin - from, m - 1);
       return j < n ? x[static_cast<std::size_t>(j)] : point(from + j + 1);
@@ -258,7 +259,8 @@ Point BSpline::blossom(std::span<const double> arguments) const {
     if (i == 0 || arguments[i] != arguments[i - 1])
       while (copies(stretch.knots, arguments[i]) < copies(arguments, arguments[i])) stretch.insert(arguments[i]);
 
-  // The arguments are now consecutive knots; one more knot must follow (at the clamped end take earlier copies).
+  // The arguments are consecutive knots now. One more knot must follow them; at a clamped end, where none does, earlier
+  // copies of the same values are taken.
   const auto after = std::upper_bound(stretch.knots.begin(), stretch.knots.end(), arguments.front());
   auto start = after - stretch.knots.begin() - copies(arguments, arguments.front());
   if (start + p >= static_cast<std::ptrdiff_t>(stretch.knots.size())) --start;
@@ -268,19 +270,19 @@ Point BSpline::blossom(std::span<const double> arguments) const {
 BSpline BSpline::elevated() const {
   const int p = degree_, q = p + 1;
   assert(p < max_curve_degree);
-  // The new knots: every break once more.
+  // The new knots are the old ones, and every break once more.
   std::vector<double> knots = breaks();
   if (closed_) knots.pop_back();
   knots.insert(knots.end(), knots_.begin(), knots_.end());
   std::sort(knots.begin(), knots.end());
   const int count = static_cast<int>(knots.size()) - (closed_ ? 1 : q + 1);
 
-  // New point i is the blossom at q knots, which is the mean of the old blossom with one of them left out. What is
-  // left refines the old knots there, so that knot insertion (convex combinations) finds its value.
+  // New control point i is the new blossom at q knots: the mean, over these knots, of the old blossom at the q - 1
+  // others. The others include all old knots there, so that knot insertion (convex combinations) finds the blossom.
   std::vector<Point> points;
   const auto new_knot = [&](int i) {
     if (!closed_ || i < count) return knots[static_cast<std::size_t>(i)];
-    const int periods = i / count - 1;  // the very arithmetic of knot(): copies of a knot stay equal
+    const int periods = i / count - 1;  // the same arithmetic as in knot(), so that copies of a knot stay equal
     return last_parameter() + periods * period() + (knots[static_cast<std::size_t>(i % count)] - first_parameter());
   };
   for (int i = 0; i < count; ++i) {
@@ -293,7 +295,7 @@ BSpline BSpline::elevated() const {
     }
     points.push_back(sum / q);
   }
-  if (!closed_) {  // the mean of equal points may be off in the last digit
+  if (!closed_) {  // a mean of equal points may differ from them in the last digit
     points.front() = points_.front();
     points.back() = points_.back();
   }

@@ -9,8 +9,8 @@
 namespace pliant {
 namespace {
 
-/// Half the integral of x dy - y dx of a Bézier curve: a sum over products of Bernstein polynomials, each of which
-/// integrates to its binomial factor over 2p.
+/// Half the integral of x dy - y dx along a Bézier curve. The integrand is p times a sum of products B^p_i B^(p-1)_j,
+/// each of which has the integral weight / (2p), so that the sum is divided by 4.
 double bezier_area(int p, std::span<const Point> b) {
   const auto binomial = [](int n, int k) {
     double c = 1;
@@ -52,7 +52,7 @@ double BSpline::swept_area(double t0, const Point& origin) const {
 }
 
 double BSpline::area() const {
-  // A closed curve's area does not depend on the origin: one nearby loses fewer digits.
+  // The area of a closed curve does not depend on the origin, and an origin nearby costs fewer digits.
   return area(closed_ ? points_.front() : Point{});
 }
 

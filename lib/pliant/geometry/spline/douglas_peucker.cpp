@@ -1,4 +1,4 @@
-// lib/pliant/geometry/spline/douglas_peucker.cpp: an iterative simplification.
+// lib/pliant/geometry/spline/douglas_peucker.cpp: stretches of a polyline, divided where they are farthest off.
 #include "pliant/geometry/spline/douglas_peucker.h"
 
 #include <algorithm>
@@ -33,7 +33,7 @@ std::vector<bool> douglas_peucker(std::span<const Point> polyline, bool closed, 
   std::vector<bool> kept(n, false);
   if (n == 0) return kept;
 
-  // Stretches still to look at; on a closed polyline an index beyond n means another turn.
+  // The stretches that are still to be looked at. On a closed polyline, index n + i stands for point i.
   std::vector<std::pair<std::size_t, std::size_t>> stretches;
   if (closed) {
     const std::size_t a = farthest_from(polyline, 0), b = farthest_from(polyline, a);

@@ -7,8 +7,10 @@
 
 namespace pliant {
 
-/// For each point of the polyline, whether it must stay so that the kept points' polyline is within `tolerance` of it.
-/// Closed: the two mutually farthest points (found by two sweeps from point 0) start the recursion.
+/// For each point of a polyline, whether it is kept, such that every other point is within `tolerance` of the polyline
+/// of the kept ones. The ends of an open polyline are kept. On a closed one, the point farthest from point 0 and the
+/// point farthest from that are kept.
+///
 /// Complexity  O(n log n) typical, O(n^2) worst; iterative (no deep recursion)
 std::vector<bool> douglas_peucker(std::span<const Point> polyline, bool closed, double tolerance);
 

@@ -1,4 +1,4 @@
-// lib/pliant/geometry/spline/protective_lens.cpp: lenses seen from a point.
+// lib/pliant/geometry/spline/protective_lens.cpp: lenses as sets of points that see a chord under a large angle.
 #include "pliant/geometry/spline/protective_lens.h"
 
 #include <algorithm>
@@ -9,8 +9,8 @@
 namespace pliant {
 namespace {
 
-/// The points from which the chord a, b is seen under one angle form an arc; larger angles lie inside. `dot` and
-/// `cross` of the two lines of sight tell the angle's cotangent without a division.
+/// The lines of sight from a point to both ends of a chord: the cotangent of the angle between them is dot / |cross|.
+/// The points that see the chord under one angle form an arc; points inside that arc see it under a larger angle.
 struct Sight {
   double dot, cross;
 };
@@ -18,8 +18,8 @@ Sight sight(const Point& a, const Point& b, const Point& from) {
   return {dot(a - from, b - from), cross(a - from, b - from)};
 }
 
-// A lens of less than 30 degrees is refused: a control polygon that runs out beyond its ends would otherwise protect
-// half a plane. Such a curve does not stay: it is split because of its turning.
+// cot 30 degrees: a point that sees the chord under a smaller angle is outside every lens. Otherwise a control polygon
+// that runs out beyond its ends would protect half the plane. Such curves turn too much, and are split for that.
 constexpr double most_cotangent = std::numbers::sqrt3;
 
 /// One round of corner cutting at 1/2: the control polygons of both halves, as one.
@@ -45,8 +45,9 @@ bool is_encroached(std::span<const Point> polygon, const Point& p) {
   if (p == a || p == b || polygon.size() <= 2) return false;
   if (at_p.dot >= most_cotangent * std::fabs(at_p.cross)) return false;
 
-  // Outside the circle, the lens reaches to the arc through the control point that sees the chord smallest, of those on
-  // p's side; the hull, and so the curve, is inside. One subdivision hugs the curve more closely.
+  // Outside the circle the lens reaches, on p's side, to the arc through the control point that sees the chord under
+  // the smallest angle. The hull, and so the curve, is inside that arc. The control points are those of both halves of
+  // the curve, because these are nearer to it.
   const int side = at_p.cross > 0 ? 1 : -1;
   double cotangent = 0;
   for (const Point& b_i : halved(polygon)) {

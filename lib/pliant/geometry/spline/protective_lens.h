@@ -6,11 +6,11 @@
 
 namespace pliant {
 
-/// True if p lies inside the protective lens of a Bézier curve: the diametral circle of its chord (the chord is seen
-/// under more than 90 degrees), extended on the side of the curve to the arc through both ends that just contains the
-/// curve's control polygon, subdivided once (the chord is seen under an angle as large as from there; at least 30
-/// degrees). So the lens contains the curve. Reduces to the diametral circle for a straight edge, and for an arc of
-/// less than a half circle. The ends themselves, and the boundary of the lens, do not encroach.
+/// True if p lies inside the protective lens of a Bézier curve. The lens is the diametral circle of the chord, from
+/// inside which the chord is seen under more than 90 degrees. On each side on which the control polygon of the curve's
+/// two halves leaves the circle, the lens is extended to the arc through both ends that just contains this polygon, but
+/// no farther than the arc from which the chord is seen under 30 degrees. Up to that limit the lens contains the curve.
+/// The ends themselves, and the boundary of the lens, do not encroach.
 ///
 /// Shapes      polygon: degree + 1 points
 /// Paper       §5.3.2, after [17]

@@ -8,8 +8,8 @@
 namespace pliant {
 
 double restore_area(BSpline& spline, double area) {
-  // Control points move linearly with the offset, so that the area is a quadratic polynomial of it: polarization gives
-  // its derivative, and Newton's steps end at rounding.
+  // Control points move linearly with the offset, so that the area is a quadratic polynomial of the offset. Its
+  // coefficients follow from three areas, and Newton's steps converge to rounding.
   Box box;
   for (const Point& p : spline.points()) box.extend(p);
   if (!(box.size() > 0)) return 0;
@@ -33,7 +33,8 @@ double restore_area(BSpline& spline, double area) {
   double miss = area - spline.area();
   for (int step = 0; step < 6; ++step) {
     const double slope = first + 2 * second * offset;
-    // A slope this small belongs to a curve without an inside to speak of: no offset would help.
+    // With a slope this small the quadratic term may undo the step: the curve encloses next to nothing, and no offset
+    // would help.
     if (!(std::abs(slope) > 4 * std::abs(second) * (std::abs(miss) / std::abs(slope)))) break;
     const double next = offset + miss / slope;
     BSpline trial = before;

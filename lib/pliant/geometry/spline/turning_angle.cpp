@@ -1,4 +1,4 @@
-// lib/pliant/geometry/spline/turning_angle.cpp: angles between the polygon's legs.
+// lib/pliant/geometry/spline/turning_angle.cpp: the sum of the angles between successive legs of the polygon.
 #include "pliant/geometry/spline/turning_angle.h"
 
 namespace pliant {

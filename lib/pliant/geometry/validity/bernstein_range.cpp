@@ -1,4 +1,4 @@
-// lib/pliant/geometry/validity/bernstein_range.cpp: pieces, the lowest one divided next.
+// lib/pliant/geometry/validity/bernstein_range.cpp: division of the triangle, the lower piece first.
 #include "pliant/geometry/validity/bernstein_range.h"
 
 #include <algorithm>
@@ -16,7 +16,7 @@
 namespace pliant {
 namespace {
 
-/// Every coefficient of a piece is a mean of means, rounded at most `degree` times a division.
+/// The error of a coefficient of a piece: it is a mean of means, rounded at most `degree` times in each division.
 double error_at(int degree, double error, int depth, double greatest) {
   return error + 2 * depth * degree * unit_roundoff * greatest;
 }
@@ -27,7 +27,7 @@ double greatest_of(std::span<const double> coefficients) {
   return greatest;
 }
 
-/// Corners 0 1 2, then the coefficients of edges 01, 12, 20.
+/// A quadratic polynomial on a piece: its coefficients at corners 0 1 2, then those of edges 01, 12, 20.
 struct Quadratic {
   std::array<double, 6> c;
   int depth;
@@ -35,7 +35,7 @@ struct Quadratic {
   double least() const { return *std::min_element(c.begin(), c.end()); }
   double at_corners() const { return std::min({c[0], c[1], c[2]}); }
 
-  /// Divides edge e at s; its middle goes to both.
+  /// Divides the piece along the line from the point at s on edge e to the opposite corner.
   void divide(std::size_t e, double s, Quadratic& first, Quadratic& second) const {
     const std::size_t f = (e + 1) % 3, g = (e + 2) % 3;
     const double left = (1 - s) * c[e] + s * c[3 + e], right = (1 - s) * c[3 + e] + s * c[f];
@@ -59,7 +59,7 @@ Bounds enclose_quadratic(std::span<const double> coefficients, double error, dou
     const double doubt = error_at(2, error, piece.depth, greatest);
     const double least = piece.least() - doubt;
     upper = std::min(upper, piece.at_corners() + doubt);
-    // Behind `greatest_depth` even halves of edges are shorter than roundings of the parameter.
+    // Beyond `greatest_depth` even halves of edges are shorter than roundings of the parameter.
     if (upper - least <= std::max(width, 4 * doubt) || piece.depth == greatest_depth) {
       lower = std::min(lower, least);
       --count;
@@ -67,8 +67,8 @@ Bounds enclose_quadratic(std::span<const double> coefficients, double error, dou
     }
     const auto e = static_cast<std::size_t>(std::min_element(piece.c.begin() + 3, piece.c.end()) - piece.c.begin()) - 3;
     const double a = piece.c[e], m = piece.c[3 + e], b = piece.c[(e + 1) % 3];
-    // The least coefficient is the edge's, so m < a and m < b, and the edge has its minimum inside. Of a series of
-    // pieces around an inner minimum every second one is halved, lest they shrink in one direction only.
+    // The least coefficient is that of the edge, so m < a and m < b, and the edge has its minimum inside. Every second
+    // division is at the middle instead, because pieces around an inner minimum would shrink in one direction only.
     const double s = piece.depth % 2 == 0 || m >= std::min(a, b) ? (a - m) / ((a - m) + (b - m)) : 0.5;
     Quadratic first, second;
     piece.divide(e, s > 0 && s < 1 ? s : 0.5, first, second);
@@ -80,7 +80,7 @@ Bounds enclose_quadratic(std::span<const double> coefficients, double error, dou
   return {lower, upper};
 }
 
-/// Any degree: depth first, the lower half first.
+/// For any degree: by bisection, depth first, the lower half first.
 Bounds enclose_by_bisection(int degree, std::span<const double> coefficients, double error, double width) {
   constexpr int greatest_depth = 80;
   constexpr int most_pieces = 20000;

@@ -6,14 +6,14 @@
 
 namespace pliant {
 
-/// Guaranteed enclosures of the extrema over the closed triangle of the polynomial with these Bernstein coefficients,
-/// each known to within `error`: [lower, upper], no wider than the larger of `width` and a few errors (in hopeless
-/// cases, after some thousand bisections, wider). Where a coefficient below all corners stands on an edge, a quadratic
-/// is divided at the minimum of that edge, all else by newest-vertex bisection.
+/// Guaranteed enclosures [lower, upper] of an extremum, over the closed triangle, of the polynomial with these
+/// Bernstein coefficients, each of which is known to within `error`. An enclosure is no wider than the larger of
+/// `width` and a few errors (in hopeless cases, after some thousand bisections, it is wider). A quadratic polynomial is
+/// divided at the minimum on an edge; others are divided by newest-vertex bisection.
 ///
 /// Shapes      coefficients: net_size(degree), in the order of NetLayout
-/// Complexity  O(coefficients) where those at the corners are the extreme ones to within `width`; no allocation for
-///             degrees up to 2
+/// Complexity  O(coefficients) if the extreme coefficients are those at the corners, to within `width`; no allocation
+///             for degrees up to 2
 Bounds enclose_minimum(int degree, std::span<const double> coefficients, double error, double width);
 Bounds enclose_maximum(int degree, std::span<const double> coefficients, double error, double width);
 

@@ -15,13 +15,13 @@
 namespace pliant {
 namespace {
 
-/// Bits of a coefficient that are worth carrying into bisections: what is rounded down there is 2^-448 and less.
+/// The bits of a coefficient that are kept for bisection: what is rounded away is 2^-448 of the greatest, or less.
 constexpr int most_bits = 512;
 constexpr double greatest_rounding = 0x1p-440;
 
 struct Piece {
   LimbNet net;
-  double least;  // coefficient, of which the greatest of the whole element is 1
+  double least;  // the least coefficient, or 0, in units of the greatest |coefficient| of the whole element
   int corner;    // the forgiven one, if the piece has it
   int depth;
   bool operator<(const Piece& other) const { return least > other.least; }  // the lowest is on top of a heap
@@ -40,7 +40,7 @@ class Search {
     constexpr int most_bisections = 2048;
     for (int count = 0; !is_negative_ && !pieces_.empty(); ++count) {
       const double least = pieces_.front().least;
-      const double enough = gap_ * (1 - 0x1p-40);  // values are rounded
+      const double enough = gap_ * (1 - 0x1p-40);  // somewhat less than the gap, because values are rounded
       if (least >= -enough && upper_ <= enough) return {Validity::degenerate, gap_};
       if (count == most_bisections) return {Validity::degenerate, std::max(-least, upper_) * (1 + 0x1p-40)};
       bisect_lowest();
@@ -51,14 +51,15 @@ class Search {
   }
 
  private:
-  /// Relative to the greatest coefficient of the element.
+  /// Coefficient n of a piece, in units of the greatest |coefficient| of the element.
   double value(const Piece& piece, int n) const {
     return piece.net.value(n, -bits_ - piece.depth * piece.net.degree()) / unit_;
   }
 
-  /// Notes what the signs of the coefficients prove, and keeps the piece if that is not all. Coefficients that are not
-  /// negative and three positive corners suffice for det J > 0: everywhere some corner's basis function is positive.
-  /// With two, it is so everywhere but in the third corner. (A rounded coefficient is below the true one.)
+  /// Notes what the signs of the coefficients prove, and keeps the piece if they leave anything open. det J > 0 if no
+  /// coefficient is negative and those at all three corners are positive, because everywhere the basis function of some
+  /// corner is positive. With two positive corners det J > 0 everywhere but at the third one. (A rounded coefficient is
+  /// below the true one.)
   void add(Piece piece) {
     bool corners_positive = true;
     const std::array<int, 3> corners = lattice_corners(piece.net.degree());
@@ -86,8 +87,8 @@ class Search {
     std::pop_heap(pieces_.begin(), pieces_.end());
     Piece piece = std::move(pieces_.back());
     pieces_.pop_back();
-    // Around a forgiven corner every second division halves the angle there: what is 0 at the corner and positive in
-    // all directions from it has positive coefficients on narrow pieces only.
+    // At a forgiven corner every second division halves the angle there: a polynomial that is 0 at the corner and
+    // positive in all directions from it has positive coefficients on narrow pieces only.
     for (; piece.corner >= 0 && piece.corner != 2 && piece.depth % 2 == 1; piece.corner = (piece.corner + 2) % 3)
       piece.net = piece.net.turned();
     const int degree = piece.net.degree();
@@ -107,15 +108,15 @@ class Search {
     is_rounded_ = true;
   }
 
-  /// Limbs for that many bits and a sign.
+  /// How many limbs hold that many bits and a sign.
   static std::size_t width_of(int bits) { return static_cast<std::size_t>(bits) / 64 + 1; }
 
   double gap_;
-  int bits_;                   // of the greatest coefficient
-  double unit_ = 0;            // the greatest coefficient by 2^bits_
+  int bits_;                   // the length of the greatest |coefficient|
+  double unit_ = 0;            // the greatest |coefficient| divided by 2^bits_
   double upper_ = HUGE_VAL;    // the least value at a corner
-  bool is_negative_ = false;   // somewhere
-  bool touches_zero_ = false;  // somewhere, and is not negative nearby
+  bool is_negative_ = false;   // det J is negative somewhere
+  bool touches_zero_ = false;  // det J may be 0 at a corner of a piece on which it is not negative
   bool is_rounded_ = false;
   std::vector<Piece> pieces_;  // those with a negative coefficient
   std::vector<Limb> row_;

@@ -5,9 +5,9 @@
 
 namespace pliant {
 
-/// What certify_exactly says of an element, from the coefficients of its det J (any positive multiple), by bisection
-/// of the piece with the lowest coefficient. `bits` is the length of the greatest |coefficient|, not 0; `corner` is the
-/// one that is forgiven, or -1.
+/// The certificate of certify_exactly, from the coefficients of det J (or any positive multiple of it). The piece with
+/// the lowest coefficient is bisected next. `bits` is the length of the greatest |coefficient|, which is not 0;
+/// `corner` is the corner that is forgiven, or -1.
 Certificate certify_by_bisection(LimbNet net, int bits, int corner);
 
 }  // namespace pliant

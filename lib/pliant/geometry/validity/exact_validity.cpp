@@ -25,7 +25,7 @@ struct IntegerVector {
 };
 Integer cross(const IntegerVector& a, const IntegerVector& b) { return a.x * b.y - a.y * b.x; }
 
-/// An odd integer and its exponent, or 0 and 0.
+/// A double as an odd integer times 2^exponent; 0 is mantissa 0 with exponent 0.
 struct OddInteger {
   std::int64_t mantissa = 0;
   int exponent = 0;
@@ -38,8 +38,8 @@ struct OddInteger {
   }
 };
 
-/// One coordinate of all points, times the power of two that makes integers of them: x and y have one each, since
-/// these scale det J only.
+/// One coordinate of all points, times the power of two that makes integers of them. x and y may have different powers,
+/// because these only scale det J.
 template <class Coordinate>
 std::vector<Integer> scaled(std::span<const Point> net, Coordinate coordinate) {
   int least = 2000;
@@ -75,12 +75,13 @@ Certificate from_sign(int sign) {
   return {sign > 0 ? Validity::valid : sign < 0 ? Validity::invalid : Validity::degenerate, 0};
 }
 
-/// det J of p = 2 is the quadratic form xi^T B xi, so its minimum over the triangle is positive exactly where B is
-/// strictly copositive. B as its diagonal and its entries 01, 12, 20.
+/// det J of an element with p = 2 is a quadratic form xi^T B xi, so its minimum over the triangle is positive exactly
+/// if B is strictly copositive. B is given by its diagonal and, as `mixed`, its entries 01, 12, 20.
 struct QuadraticForm {
   std::array<Integer, 3> diagonal, mixed;
 
-  /// Sign of the minimum over the closed edge (e, e + 1): at an end, or, where the form falls from both ends, inside.
+  /// Sign of the minimum over the closed edge (e, e + 1). The minimum is at an end, or inside if the form falls from
+  /// both ends.
   int sign_on_edge(std::size_t e) const {
     const Integer& a = diagonal[e];
     const Integer& b = diagonal[(e + 1) % 3];
@@ -90,28 +91,29 @@ struct QuadraticForm {
     return std::min(at_ends, determinant.sign());
   }
 
-  /// Sign of the minimum over the closed triangle. In the interior it is where B xi = lambda (1, 1, 1), so
-  /// xi = w / s with w = adj(B) (1, 1, 1), s = sum w, and the value is lambda = det B / s. (Where w vanishes or leaves
-  /// the triangle, the least value is also taken on an edge.)
+  /// Sign of the minimum over the closed triangle. If the minimum is in the interior, it is where B xi = lambda
+  /// (1, 1, 1), so xi = w / s with w = adj(B) (1, 1, 1), s = sum w, and the value is lambda = det B / s. (If w vanishes
+  /// or leaves the triangle, the least value is also taken on an edge.)
   int sign_of_minimum() const {
     int sign = 1;
     for (std::size_t e = 0; e < 3; ++e) sign = std::min(sign, sign_on_edge(e));
     if (sign < 0) return sign;
     const auto& [a, b, c] = diagonal;
     const auto& [f, g, h] = mixed;  // entries 01, 12, 20
-    const Integer of_a = b * c - g * g;
-    const Integer of_f = g * h - f * c;
-    const Integer of_h = f * g - b * h;
-    const Integer w0 = of_a + of_f + of_h;
-    const Integer w1 = of_f + (a * c - h * h) + (h * f - a * g);
-    const Integer w2 = of_h + (h * f - a * g) + (a * b - f * f);
+    const Integer cofactor_a = b * c - g * g;
+    const Integer cofactor_f = g * h - f * c;
+    const Integer cofactor_h = f * g - b * h;
+    const Integer w0 = cofactor_a + cofactor_f + cofactor_h;
+    const Integer w1 = cofactor_f + (a * c - h * h) + (h * f - a * g);
+    const Integer w2 = cofactor_h + (h * f - a * g) + (a * b - f * f);
     if (w0.sign() <= 0 || w1.sign() <= 0 || w2.sign() <= 0) return sign;
-    const Integer determinant = a * of_a + f * of_f + h * of_h;
+    const Integer determinant = a * cofactor_a + f * cofactor_f + h * cofactor_h;
     return std::min(sign, determinant.sign());
   }
 
-  /// The same on the triangle without a corner where the form is 0. On the ray from there to a point a of the opposite
-  /// edge it is t (2 (1 - t) L(a) + t Q(a)), L linear with the two mixed entries, Q the form on the edge.
+  /// Sign of the minimum over the triangle without one corner, where the form is 0. On the way from that corner (t = 0)
+  /// to a point a of the opposite edge (t = 1) the form is t (2 (1 - t) L(a) + t Q(a)), where L is linear with the two
+  /// mixed entries of the corner, and Q is the form on the edge.
   int sign_without_corner(std::size_t corner) const {
     if (mixed[corner].sign() < 0 || mixed[(corner + 2) % 3].sign() < 0) return -1;
     return sign_on_edge((corner + 1) % 3);
@@ -121,7 +123,7 @@ struct QuadraticForm {
 Certificate certify_quadratic(const Partials& partials, int corner) {
   const auto& a = partials.along_2;
   const auto& b = partials.along_3;
-  QuadraticForm form;  // 2 det J / 4
+  QuadraticForm form;  // det J / 2, which has integer entries
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t j = (i + 1) % 3;
     form.diagonal[i] = 2 * cross(a[i], b[i]);
@@ -131,7 +133,8 @@ Certificate certify_quadratic(const Partials& partials, int corner) {
   return from_sign(form.sign_of_minimum());
 }
 
-/// d! times the Bernstein coefficients of det J / p^2, an integer each: the multinomials divide d!.
+/// d! times the Bernstein coefficients of det J / p^2, where d is the degree of det J. These are integers, because the
+/// multinomials divide d!.
 std::vector<Integer> exact_coefficients(const JacobianTerms& terms, const Partials& partials) {
   const NetLayout& layout = NetLayout::of(jacobian_degree(terms.degree));
   std::vector<Integer> sums(index(layout.size()));
@@ -150,7 +153,7 @@ std::vector<Integer> exact_coefficients(const JacobianTerms& terms, const Partia
   return result;
 }
 
-/// The same numbers side by side, in two's complement.
+/// The same numbers as limbs, in two's complement.
 LimbNet to_limbs(int degree, const std::vector<Integer>& coefficients, int bits) {
   LimbNet net(degree, index(bits / 64 + 1));
   for (int n = 0; n < net.size(); ++n) {

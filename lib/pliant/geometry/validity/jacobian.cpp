@@ -1,4 +1,4 @@
-// lib/pliant/geometry/validity/jacobian.cpp: sums of cross products of differences.
+// lib/pliant/geometry/validity/jacobian.cpp: det J as sums of cross products of differences of control points.
 #include "pliant/geometry/validity/jacobian.h"
 
 #include <algorithm>
@@ -38,7 +38,8 @@ JacobianTerms build_terms(int degree) {
   return result;
 }
 
-/// p = 2 written out: the paper's vectors A and B at the three corners of the linear net, and their products.
+/// jacobian_net for p = 2, written out: the paper's vectors A and B at the three corners of the linear net, and their
+/// products.
 void quadratic_jacobian(std::span<const Point> net, std::span<double> out) {
   const Vector a[3] = {2 * (net[3] - net[0]), 2 * (net[1] - net[3]), 2 * (net[4] - net[5])};
   const Vector b[3] = {2 * (net[5] - net[0]), 2 * (net[4] - net[3]), 2 * (net[2] - net[5])};

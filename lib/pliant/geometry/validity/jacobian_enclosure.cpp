@@ -1,4 +1,4 @@
-// lib/pliant/geometry/validity/jacobian_enclosure.cpp: coefficients and their error bound.
+// lib/pliant/geometry/validity/jacobian_enclosure.cpp: the coefficients of det J, fast, and their error bound.
 #include "pliant/geometry/validity/jacobian_enclosure.h"
 
 #include <algorithm>
@@ -15,7 +15,8 @@
 namespace pliant {
 namespace {
 
-/// What JacobianTerms knows, by rows: in lattice order a product of polynomials is a few plain convolutions.
+/// The content of JacobianTerms in lattice order, in which a product of polynomials is a few plain convolutions of
+/// rows.
 struct RowTerms {
   struct Partial {
     std::size_t first, second, third;  // control points
@@ -55,8 +56,8 @@ struct RowTerms {
   }
 };
 
-/// sums[i + j] = sum of cross(a[i], b[j]): the product of two polynomials of this degree, each coefficient times its
-/// multinomial.
+/// sums[i + j] = sum of cross(a[i], b[j]): the product of two polynomials of this degree. All coefficients, given and
+/// computed, are multiplied by their multinomials.
 template <int degree>
 void multiply_rows(const Vector* a, const Vector* b, double* sums) {
   std::fill_n(sums, net_size(2 * degree), 0.0);
@@ -72,7 +73,8 @@ void multiply_rows(const Vector* a, const Vector* b, double* sums) {
   }
 }
 
-/// Where the product of the entries m and n of two nets of this degree goes, for n + m * size.
+/// For the entries m and n of two nets of this degree, at index n + m * size: the entry of the product that they add
+/// to.
 template <int degree>
 constexpr auto product_targets() {
   std::array<std::size_t, static_cast<std::size_t>(net_size(degree) * net_size(degree))> targets{};
@@ -84,8 +86,8 @@ constexpr auto product_targets() {
   return targets;
 }
 
-/// Up to this degree of elements without loops, which is faster as long as it is short. (With checks in every access
-/// the long ones take half a minute to compile.)
+/// Up to this degree of the element the products are written out without loops, which is faster while they are few.
+/// (Debug builds check every access, and would take half a minute to compile the longer ones.)
 #ifdef NDEBUG
 constexpr int most_unrolled = 5;
 #else
@@ -110,7 +112,7 @@ void enclose(std::span<const Point> net, JacobianEnclosure& result) {
   const RowTerms& terms = RowTerms::of(degree);
   std::array<Vector, count> along_2;
   std::array<Vector, count> along_3;
-  Vector greatest_2, greatest_3;  // by component
+  Vector greatest_2, greatest_3;  // the greatest |component| in x and in y
   const auto extend = [](Vector& greatest, const Vector& v) {
     greatest = {std::max(greatest.x, std::fabs(v.x)), std::max(greatest.y, std::fabs(v.y))};
   };

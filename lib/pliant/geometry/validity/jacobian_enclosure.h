@@ -9,20 +9,20 @@ namespace pliant {
 
 inline constexpr double unit_roundoff = 0x1p-53;
 
-/// det J = (coefficients, each within `error`) * 2^exponent; the coefficients stand in lattice order.
+/// det J = (coefficients, each within `error`) * 2^exponent; the coefficients are in lattice order.
 ///
-/// Bound. A coefficient is (p^2 / M) sum of m_i m_j (a_i.x b_j.y - a_i.y b_j.x) over the n pairs of partials that it
-/// takes, m and M multinomials with sum m_i m_j = M. With u = 2^-53 every term carries 2 (differences of control
-/// points) + 2 (times m) + 1 (product) + 1 (subtraction) + n - 1 (additions) + 2 (weight and its rounding) = n + 7
-/// factors 1 + d, |d| <= u. So the coefficient is wrong by at most gamma(n + 7) p^2 (Ax By + Ay Bx), where Ax is the
-/// greatest |a.x| and so on; `error` is (n + 10) u p^2 (Ax By + Ay Bx) as computed, which covers that and the
-/// rounding of the bound itself, plus 2^-1000 for what underflows: the differences are scaled by a power of two so that
-/// the greatest lies within 2^±400, hence nothing overflows; differences and their integer multiples lose nothing where
-/// they are subnormal, and products that do, and differences that the scaling makes so, sum up to less than 2^-1030.
+/// Why `error` is a bound: a coefficient is (p^2 / M) times the sum of m_i m_j (a_i.x b_j.y - a_i.y b_j.x) over n pairs
+/// of partials; m and M are multinomials with sum m_i m_j = M. With u = 2^-53 every term carries 2 (differences of
+/// control points) + 2 (times m) + 1 (product) + 1 (subtraction) + n - 1 (additions) + 2 (weight and its rounding) =
+/// n + 7 factors 1 + d, |d| <= u. So the coefficient is wrong by at most gamma(n + 7) p^2 (Ax By + Ay Bx), where Ax is
+/// the greatest |a.x| and so on. `error` is (n + 10) u p^2 (Ax By + Ay Bx) as computed, which covers that and the
+/// rounding of the bound itself, plus 2^-1000 for what underflows. A power of two scales the differences such that the
+/// greatest is within 2^±400, so nothing overflows. Subnormal differences and their integer multiples are exact.
+/// Products that are subnormal, and differences that the scaling makes subnormal, lose less than 2^-1030 in all.
 struct JacobianEnclosure {
   int degree = 0;          ///< of det J
   int exponent = 0;        ///< of the power of two
-  bool is_finite = false;  ///< false: differences overflow, nothing is known
+  bool is_finite = false;  ///< false if differences overflow; then nothing is known
   double error = 0;        ///< of each coefficient
   double greatest = 0;     ///< max |coefficient|
   std::array<double, max_jacobian_size> coefficients;
@@ -31,10 +31,11 @@ struct JacobianEnclosure {
   double error_at(int depth) const { return error + 2 * depth * degree * unit_roundoff * greatest; }
 };
 
+/// Sets `result` to the enclosure of the det J of an element.
 void enclose_jacobian(int degree, std::span<const Point> net, JacobianEnclosure& result);
 
-/// The exponent e such that the greatest component times 2^-e is about 1; 0 where the components are within 2^±400
-/// already (or all zero). Scales the vectors.
+/// Scales the vectors by 2^-e such that their greatest component is about 1, and returns e. Where the greatest
+/// component is within 2^±400 already, or 0, the vectors stay and e is 0.
 int normalise_differences(std::span<Vector> a, std::span<Vector> b, double greatest);
 
 /// The greatest absolute component; NaN or infinite where differences overflowed.

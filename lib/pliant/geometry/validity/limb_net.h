@@ -14,7 +14,7 @@ namespace pliant {
 using Limb = std::uint64_t;
 
 /// A net in lattice order whose coefficients are integers of `width` limbs each, the lowest first, in two's complement.
-/// All have the same length, so that bisecting allocates twice and not once a sum.
+/// All have the same length, so that a bisection allocates twice and not once for each sum.
 class LimbNet {
  public:
   LimbNet(int degree, std::size_t width)
@@ -36,7 +36,7 @@ class LimbNet {
   double value(int n, int exponent) const {
     const Limb* x = at(n);
     std::size_t top = width_ - 1;
-    // A limb that only repeats the sign of the one below says nothing.
+    // A limb that only repeats the sign of the one below adds nothing.
     while (top > 0 && x[top] == sign_limb(x[top - 1])) --top;
     double result = static_cast<double>(static_cast<std::int64_t>(x[top]));
     if (top == 0) return std::ldexp(result, exponent);
@@ -44,7 +44,7 @@ class LimbNet {
     return std::ldexp(result, exponent + 64 * static_cast<int>(top - 1));
   }
 
-  /// The same seen from the next corner: (v1, v2, v0) in place of (v0, v1, v2).
+  /// The same polynomial with the corners in the order (v1, v2, v0) instead of (v0, v1, v2).
   LimbNet turned() const {
     LimbNet result(degree_, width_);
     for (int r = 0; r <= degree_; ++r)
@@ -86,8 +86,8 @@ inline void shift_limbs(Limb* a, std::size_t width, int bits) {
   a[0] <<= bits;
 }
 
-/// bisect_net without dividing: the coefficients of the halves come out 2^degree times as large. `row` is memory to
-/// work in; the halves are wide enough for that.
+/// bisect_net without dividing: the coefficients of the halves come out 2^degree times as large. `row` is scratch
+/// memory.   Requires    halves that are wide enough for this
 inline void bisect_limbs(const LimbNet& net, LimbNet& left, LimbNet& right, std::vector<Limb>& row) {
   const int degree = net.degree();
   const std::size_t width = left.width();
@@ -101,12 +101,12 @@ inline void bisect_limbs(const LimbNet& net, LimbNet& left, LimbNet& right, std:
       std::fill(end, in_row(t) + width, LimbNet::sign_limb(from[net.width() - 1]));
     }
     for (int t = 0; t <= n; ++t) {
-      Limb* const of_left = left.at(lattice_index(k + t, t));
-      Limb* const of_right = right.at(lattice_index(n, t));
-      std::copy_n(in_row(0), width, of_left);
-      std::copy_n(in_row(n - t), width, of_right);
-      shift_limbs(of_left, width, degree - t);
-      shift_limbs(of_right, width, degree - t);
+      Limb* const to_left = left.at(lattice_index(k + t, t));
+      Limb* const to_right = right.at(lattice_index(n, t));
+      std::copy_n(in_row(0), width, to_left);
+      std::copy_n(in_row(n - t), width, to_right);
+      shift_limbs(to_left, width, degree - t);
+      shift_limbs(to_right, width, degree - t);
       for (int x = 0; x < n - t; ++x) add_limbs(in_row(x), in_row(x + 1), width);
     }
   }

@@ -18,12 +18,12 @@ namespace pliant {
 namespace {
 
 constexpr double finest_interval = 0x1p-12;
-constexpr int depth_at_cusp = 20;  // two bisections halve the diameter
+constexpr int depth_at_cusp = 20;  // pieces at a cusp's corner are bisected no further; they are 2^-10 of the element
 
 /// det J(xi, t) in tensor Bernstein form: for each of the three coefficients in time a net in lattice order.
 struct SweptJacobian {
   int degree = 0;
-  double error = 0;     // of each coefficient; as for JacobianEnclosure, with one addition more for the middle ones
+  double error = 0;     // of each coefficient, as in JacobianEnclosure; the middle net has one addition more
   double greatest = 0;  // max |coefficient|
   std::array<std::array<double, max_jacobian_size>, 3> coefficients;
 };
@@ -32,6 +32,7 @@ struct Partials {
   std::array<Vector, max_partials> along_2, along_3;
 };
 
+/// A weighted sum of cross products, and the same sum of the absolute values of all their products.
 struct SizedSum {
   double value = 0, size = 0;
   void add(double weight, const Vector& a, const Vector& b) {
@@ -42,7 +43,7 @@ struct SizedSum {
   }
 };
 
-/// False where differences overflow.
+/// Sets `result` to det J during the motion; false if differences overflow.
 bool sweep(int degree, std::span<const Point> from, std::span<const Point> to, SweptJacobian& result) {
   const JacobianTerms& terms = JacobianTerms::of(degree);
   const std::size_t count = terms.partials.size();
@@ -78,7 +79,7 @@ bool sweep(int degree, std::span<const Point> from, std::span<const Point> to, S
       largest_size = std::max(largest_size, sums[m].size);
     }
   }
-  // Twice as many terms in the middle ones.
+  // The coefficients of the middle net have twice as many terms.
   result.error = (2 * terms.most_terms + 8) * unit_roundoff * largest_size + 0x1p-1000;
   return true;
 }
@@ -111,7 +112,7 @@ class IntervalProof {
   }
 
  private:
-  /// The three nets of the time interval, as the only piece.
+  /// Makes the element, with its three nets of the time interval, the only piece.
   void restrict_to(double begin, double end) {
     const auto mix = [](double s, double x, double y) { return (1 - s) * x + s * y; };
     stack_.resize(3 * size_);
@@ -126,7 +127,7 @@ class IntervalProof {
     }
   }
 
-  /// The values of det J at the piece's corners when the interval begins and ends.
+  /// Whether det J is positive at the corners of piece_ when the interval begins and when it ends.
   bool is_positive_at_corners(double bound, int cusp) const {
     const std::array<int, 3> corners = lattice_corners(jacobian_.degree);
     for (int c = 0; c < 3; ++c) {
@@ -151,7 +152,7 @@ class IntervalProof {
   const SweptJacobian& jacobian_;
   int cusp_;
   std::size_t size_;
-  std::vector<double> stack_;  // three nets a piece
+  std::vector<double> stack_;  // three nets for each piece
   std::vector<Place> pieces_;
   std::vector<double> piece_;
   std::vector<double> row_;

@@ -1,4 +1,4 @@
-// lib/pliant/geometry/validity/validity.cpp: floating-point filter and bisection; the rest is exact_validity.
+// lib/pliant/geometry/validity/validity.cpp: a floating-point filter, floating-point bisection, then exact integers.
 #include "pliant/geometry/validity/validity.h"
 
 #include <algorithm>
@@ -27,12 +27,13 @@ inline SignedCross signed_cross(const Vector& a, const Vector& b) {
   return {plus - minus, std::fabs(plus) + std::fabs(minus)};
 }
 
-/// Error of a sum of at most two cross products of rounded differences: 2 (differences) + 1 (product) + 2 (additions)
-/// factors 1 + d, |d| <= u, so at most gamma(5) times the sum of sizes; 6 u of the computed sum covers its rounding
-/// too. 2^-1060 is for products that underflow. Overflow gives infinity or NaN, which prove nothing here.
+/// Whether a sum of at most two cross products of rounded differences is positive beyond its error. Every product has 2
+/// (differences) + 1 (product) + 2 (additions) factors 1 + d, |d| <= u, so the error is at most gamma(5) times the sum
+/// of sizes; 6 u of the computed sum covers its rounding too. 2^-1060 is for products that underflow. Overflow gives
+/// infinity or NaN, which prove nothing here.
 inline bool is_surely_positive(double value, double size) { return value > 6 * unit_roundoff * size + 0x1p-1060; }
 
-/// p = 2, nearly always: the six coefficients (up to factors) are positive.
+/// For p = 2: whether the six coefficients (up to factors) are surely positive, as they are in nearly all elements.
 bool is_quadratic_surely_valid(std::span<const Point> net) {
   const Vector a[3] = {net[3] - net[0], net[1] - net[3], net[4] - net[5]};
   const Vector b[3] = {net[5] - net[0], net[4] - net[3], net[2] - net[5]};
@@ -48,8 +49,8 @@ bool is_quadratic_surely_valid(std::span<const Point> net) {
   return result;
 }
 
-/// Valid or invalid with proof, or nothing, by depth-first bisection of the enclosure. The first piece that stays open
-/// ends it: the exact search goes for the lowest place at once.
+/// Valid or invalid with proof, or nothing, by depth-first bisection of the enclosure. The first piece that it cannot
+/// decide ends it, because the exact search looks at the lowest place first.
 std::optional<Validity> certify_by_floating_bisection(const JacobianEnclosure& jacobian) {
   constexpr int greatest_depth = 40;
   constexpr int most_pieces = 4000;

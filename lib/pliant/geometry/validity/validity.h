@@ -1,4 +1,4 @@
-// lib/pliant/geometry/validity/validity.h: is det J > 0 on the whole closed element? A proof (design: validity).
+// lib/pliant/geometry/validity/validity.h: is det J > 0 on the whole closed element? With proof.
 #pragma once
 #include <span>
 
@@ -8,24 +8,27 @@ namespace pliant {
 
 enum class Validity { valid, degenerate, invalid };
 
-/// The certificate of one element: *valid* (min det J > 0 on the closed triangle) and *invalid* (< 0 somewhere) are
-/// proofs for the doubles as stored, at every degree. *Degenerate* is
-///   p <= 2   min det J = 0, exactly;
-///   p > 2    |min det J| <= 2^-112 c, with c the greatest |coefficient| of det J; 0 itself included. (A change of one
-///            control point in its last place changes det J by some 2^-52 c, or, where J itself is 0, by the square of
-///            that.) One exception: where 2048 bisections of the lowest piece cannot tell, because det J is 0, or less
-///            than about 2^-20 c, along a curve inside, |min det J| <= g c with the gap g then reached: some 2^-20 for
-///            one such curve, and never more than 3 (p - 1)^2 / 2^10.
+/// The certificate of one element. *Valid* (min det J > 0 on the closed triangle) and *invalid* (det J < 0 somewhere)
+/// are proofs for the doubles as stored, at every degree. *Degenerate* means:
+///
+///   p <= 2   min det J is exactly 0.
+///   p > 2    |min det J| <= 2^-112 c, where c is the greatest |coefficient|
+///            of det J; this includes 0.
+///
+/// (For comparison: a change of one control point in its last place changes det J by some 2^-52 c, or, if J itself is
+/// 0, by the square of that.) There is one exception at p > 2. If det J is less than about 2^-20 c along a curve inside
+/// the element, 2048 bisections of the lowest piece may not decide. Then *degenerate* means |min det J| <= g c with the
+/// gap g reached so far: some 2^-20 for one such curve, and never more than 3 (p - 1)^2 / 2^10.
 ///
 /// Shapes      net: net_size(degree) points, in the order of NetLayout; degree 1..max_degree; all finite
 /// Complexity  O(p^4) where the Bernstein coefficients with their floating-point error bound decide (nearly always, and
 ///             then without allocation); the worst of many hostile inputs: 20 us at p = 2, 25 ms at p = 6
 Validity certify(int degree, std::span<const Point> net);
 
-/// The same with one corner (0, 1, 2) forgiven: a cusp's corner, where det J = 0 is allowed at that corner alone.
-/// *Valid* and *invalid* stay proofs (det J > 0 everywhere else; det J < 0 somewhere). *Degenerate* where det J is 0
-/// elsewhere too, exactly so for p <= 2; for p > 2, where bisection cannot tell: beside what is said above, where the
-/// terms of lowest order at the corner vanish in some direction.
+/// The same with one corner (0, 1, 2) forgiven: it is the corner at a cusp, where det J = 0 is allowed, but nowhere
+/// else. *Valid* and *invalid* stay proofs (det J > 0 everywhere else; det J < 0 somewhere). *Degenerate* means for
+/// p <= 2 that det J is exactly 0 elsewhere too; for p > 2 that bisection cannot decide, for the reasons given above or
+/// because the terms of lowest order at the corner vanish in some direction.
 Validity certify_cusp(int degree, std::span<const Point> net, int corner);
 
 struct Bounds {
