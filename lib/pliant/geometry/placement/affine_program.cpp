@@ -8,6 +8,8 @@
 #include <cstddef>
 #include <limits>
 
+#include "pliant/geometry/index.h"
+
 namespace pliant {
 namespace {
 
@@ -24,10 +26,10 @@ class Constraints {
   Row row(int i) const {
     const int side = i - functions();
     if (side >= 0) return side < 2 ? Row(side == 0 ? 1.0 : -1.0, 0, 0) : Row(0, side == 2 ? 1.0 : -1.0, 0);
-    const AffineFunction& f = functions_[static_cast<std::size_t>(i)];
+    const AffineFunction& f = functions_[index(i)];
     return Row(-f.a, -f.b, 1);
   }
-  double limit(int i) const { return i < functions() ? functions_[static_cast<std::size_t>(i)].c : reach_; }
+  double limit(int i) const { return i < functions() ? functions_[index(i)].c : reach_; }
 
   /// The constraint that z breaks most, or -1.
   int most_violated(const Row& z) const {
@@ -35,7 +37,7 @@ class Constraints {
     double most = tolerance * std::max(1.0, std::fabs(z[2]));
     const Point q{z[0], z[1]};
     for (int i = 0; i < functions(); ++i)
-      if (const double excess = z[2] - functions_[static_cast<std::size_t>(i)](q); excess > most) {
+      if (const double excess = z[2] - functions_[index(i)](q); excess > most) {
         most = excess;
         worst = i;
       }
@@ -62,8 +64,8 @@ struct Basis {
 
   void take(const Constraints& constraints) {
     for (int i = 0; i < 3; ++i) {
-      rows.row(i) = constraints.row(members[static_cast<std::size_t>(i)]);
-      limits[i] = constraints.limit(members[static_cast<std::size_t>(i)]);
+      rows.row(i) = constraints.row(members[index(i)]);
+      limits[i] = constraints.limit(members[index(i)]);
     }
     inverse = rows.inverse();
   }
@@ -73,7 +75,10 @@ struct Basis {
     return z + inverse * (limits - rows * z);
   }
   /// The factors with which the members' rows add up to `row`.
-  Row shares_of(const Row& row) const { return inverse.transpose() * row; }
+  std::array<double, 3> shares_of(const Row& row) const {
+    const Row shares = inverse.transpose() * row;
+    return {shares[0], shares[1], shares[2]};
+  }
 };
 
 /// The place nearest to `near` where all functions are at least `level`, from half-planes that are added one by one.
@@ -116,14 +121,15 @@ AffineOptimum maximise_least(std::span<const AffineFunction> functions, double r
   Basis basis;
   basis.members = {static_cast<int>(least - functions.begin()), first_side + (least->a > 0 ? 0 : 1),
                    first_side + (least->b > 0 ? 2 : 3)};
-  Row z, shares;
+  Row z;
+  std::array<double, 3> shares;
   for (int steps = 0;; ++steps) {
     basis.take(constraints);
     z = basis.vertex();
     shares = basis.shares_of(Row::UnitZ());
     const int entering = constraints.most_violated(z);
     if (entering < 0 || steps == most_steps) break;
-    const Row mixture = basis.shares_of(constraints.row(entering));
+    const std::array<double, 3> mixture = basis.shares_of(constraints.row(entering));
     std::size_t leaving = 3;
     double ratio = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < 3; ++i) {
@@ -139,7 +145,7 @@ AffineOptimum maximise_least(std::span<const AffineFunction> functions, double r
     basis.members[leaving] = entering;
   }
 
-  AffineOptimum result{{z[0], z[1]}, z[2], basis.members, {shares[0], shares[1], shares[2]}, true};
+  AffineOptimum result{{z[0], z[1]}, z[2], basis.members, shares, true};
   bool unique = true;
   for (std::size_t i = 0; i < 3; ++i) {
     unique = unique && shares[i] > 1e-9;
