@@ -13,7 +13,7 @@
 using namespace pliant;
 using namespace pliant::samples;
 
-TEST_CASE("shapes that touch in a corner or along a curve", "[boundary]") {
+TEST_CASE("shapes that touch in a corner, on an edge or along a curve give the painted faces", "[boundary]") {
   SECTION("corner to corner") {
     const std::vector<FilledFace> faces{filled("one", {rectangle(2, {0, 0}, {1, 1}), rectangle(2, {1, 1}, {2, 2})})};
     const Arrangement a = arrange(faces);
@@ -44,7 +44,7 @@ TEST_CASE("shapes that touch in a corner or along a curve", "[boundary]") {
   }
 }
 
-TEST_CASE("sides that cross next to their tip part there", "[boundary]") {
+TEST_CASE("two curves that cross close to their common end are cut where they cross", "[boundary]") {
   // y = x^2 - slope x crosses y = 0 at x = slope, and what lies between them there has an area of slope^3 / 6.
   const double slope = GENERATE(1, 3) * std::pow(10.0, GENERATE(range(-11, -2)));
   CAPTURE(slope);
@@ -56,19 +56,20 @@ TEST_CASE("sides that cross next to their tip part there", "[boundary]") {
   CHECK(std::fabs(area_of(a.boundary, 0) - (1.0 / 3 - slope / 2)) < 1e-10 + slope * slope * slope / 3);
 }
 
-TEST_CASE("what turns in no room becomes a corner", "[boundary]") {
+TEST_CASE("a tip, where a curve turns within next to no length, becomes a corner", "[boundary]") {
   const double width = std::pow(10.0, GENERATE(range(-8, -1)));
   CAPTURE(width);
   const std::vector<FilledFace> faces{
       filled("hair", {bezier({{0, 0}, {2, 0}, {0, width}}), bezier({{0, width}, {0, width / 2}, {0, 0}})})};
   const Arrangement a = arrange(faces);
   check_arranged(faces, a);
-  CHECK(std::fabs(area_of(a.boundary, 0) - faces[0].curves[0].area()) < 1e-8);  // both sides move by the tip's width
-  if (width < 1e-5) CHECK(a.boundary.vertices.size() == 3);                     // two, and that at the tip
+  CHECK(std::fabs(area_of(a.boundary, 0) - faces[0].curves[0].area()) <
+        1e-8);                                               // both sides move by the width of the tip
+  if (width < 1e-5) CHECK(a.boundary.vertices.size() == 3);  // two, and the one at the tip
   if (width > 1e-3) CHECK(a.boundary.vertices.size() == 2);
 }
 
-TEST_CASE("where a cubic stops there is a corner", "[boundary]") {
+TEST_CASE("a point where a cubic stops becomes a corner", "[boundary]") {
   const std::vector<FilledFace> faces{
       filled("cusp", {bezier({{0, 0}, {1, 1}, {0, 1}, {1, 0}}), bezier({{1, 0}, {0.7, 0}, {0.3, 0}, {0, 0}})})};
   const Arrangement a = arrange(faces);
@@ -76,7 +77,8 @@ TEST_CASE("where a cubic stops there is a corner", "[boundary]") {
   CHECK(area_of(a.boundary, 0) == Approx(std::fabs(faces[0].curves[0].area())).epsilon(1e-9));
 }
 
-TEST_CASE("small whole numbers as control points: coincidences everywhere", "[boundary][property]") {
+TEST_CASE("control points of small whole numbers, with coincidences everywhere, give the painted faces",
+          "[boundary][property]") {
   const int degree = GENERATE(1, 2, 3);
   int refused = 0;
   for (int run = 0; run < 100; ++run) {
@@ -92,7 +94,8 @@ TEST_CASE("small whole numbers as control points: coincidences everywhere", "[bo
     }
     const Arrangement a = arrange(faces);
     CAPTURE(degree, run, first_text(a.faults));
-    // Cubic splines over folded control polygons stop in cusps; where others end or pass there, not all can be told.
+    // Cubic splines with folded control polygons stop in cusps. Where other curves end or pass there, not every
+    // arrangement can be told.
     if (degree == 3 && (!a.faults.empty() || !same(resolve(a.boundary).boundary, a.boundary))) {
       ++refused;
       continue;

@@ -70,9 +70,9 @@ TEST_CASE("a pentagram is full by the nonzero rule and hollow by the evenodd rul
   CHECK(a.intersections == 5);
 }
 
-TEST_CASE("what is painted over, twice or within comes out once", "[boundary]") {
+TEST_CASE("shapes that hide, contain or repeat each other give disjoint faces", "[boundary]") {
   const BSpline big = circle(2, {}, 2), small = circle(2, {0.1, 0}, 0.5);
-  SECTION("the same shape twice belongs to the last") {
+  SECTION("the same shape twice belongs to the last face") {
     const std::vector<FilledFace> faces{filled("first", {big}), filled("second", {big})};
     const Arrangement a = arrange(faces);
     check_arranged(faces, a);
@@ -93,7 +93,7 @@ TEST_CASE("what is painted over, twice or within comes out once", "[boundary]") 
     CHECK(a.sources == std::vector<int>{1});
     CHECK(a.boundary.curves.size() == 1);
   }
-  SECTION("the same shape once each way is nothing") {
+  SECTION("the same shape once in each direction gives nothing") {
     std::vector<Point> back = big.points();
     std::reverse(back.begin(), back.end());
     const Arrangement a = arrange(std::vector<FilledFace>{filled("none", {big, closed_spline(2, back)})});
@@ -115,11 +115,11 @@ TEST_CASE("squares that share edges and corners make a map", "[boundary]") {
   check_arranged(faces, a);
   CHECK(a.regions == 16);
   CHECK(a.pieces == 40);
-  CHECK(a.boundary.vertices.size() == 25 - 4);  // a corner of the map is no vertex
+  CHECK(a.boundary.vertices.size() == 25 - 4);  // the four corners of the map are no vertices
   CHECK(a.slivers == 0);
 }
 
-TEST_CASE("random rotated rectangles: every point has the painter's face", "[boundary][property]") {
+TEST_CASE("in random rotated rectangles every point has the face that was painted last", "[boundary][property]") {
   const unsigned seed = GENERATE(range(0u, 6u));
   CAPTURE(seed);
   std::mt19937 random(seed);
@@ -136,7 +136,8 @@ TEST_CASE("random rotated rectangles: every point has the painter's face", "[bou
   check_arranged(faces, arrange(faces), 2000, seed);
 }
 
-TEST_CASE("random splines that cross themselves and each other", "[boundary][property]") {
+TEST_CASE("in random splines, crossing themselves and each other, every point has the face that was painted last",
+          "[boundary][property]") {
   const int degree = GENERATE(1, 2, 3, 5);
   const unsigned seed = GENERATE(range(0u, 4u));
   CAPTURE(degree, seed);
@@ -168,7 +169,7 @@ TEST_CASE("loops that do not close are named", "[boundary]") {
   CHECK_THAT(first_text(a.faults), Catch::Contains("'open' do not close at (0, 0)"));
 }
 
-TEST_CASE("curves of sizes whose products are no numbers are refused", "[boundary]") {
+TEST_CASE("curves so large or small that products of lengths overflow or vanish are refused", "[boundary]") {
   for (const double size : {1e-101, 1e101}) {
     const Arrangement a = arrange(std::vector<FilledFace>{
         filled("bow", {bezier({{0, 0}, {size, 0}, {size, size}}), bezier({{size, size}, {0, 0}})})});

@@ -1,4 +1,4 @@
-// tests/boundary/painted_faces.h: faces to be arranged, and what a painter leaves visible of them at a point.
+// tests/boundary/painted_faces.h: faces to be arranged, and which of them is visible at a point.
 #pragma once
 #include <algorithm>
 #include <catch2/catch.hpp>
@@ -17,7 +17,8 @@ namespace pliant::samples {
 
 /// A closed polygon as a curve of any degree.
 inline BSpline polygon(int degree, std::vector<Point> points) {
-  std::rotate(points.begin(), points.begin() + 1, points.end());  // degree 1 begins in its second knot
+  std::rotate(points.begin(), points.begin() + 1,
+              points.end());  // a curve of degree 1 begins in its last control point
   BSpline spline = closed_spline(1, std::move(points));
   while (spline.degree() < degree) spline = spline.elevated();
   return spline;
@@ -30,7 +31,7 @@ inline FilledFace filled(std::string name, std::vector<BSpline> curves, FillRule
   return {std::move(name), std::move(curves), rule, {}};
 }
 
-/// How often a curve winds around p, by the crossings of a ray; p on no curve.
+/// How often a curve winds around p, which is not on it, by the crossings of a ray.
 inline int winding(const BSpline& spline, const Point& p) {
   int turns = 0;
   std::vector<Point> bezier(static_cast<std::size_t>(spline.degree()) + 1), part(bezier.size());
@@ -58,7 +59,7 @@ inline int winding(const BSpline& spline, const Point& p) {
   return turns;
 }
 
-/// The input face that a painter leaves visible at p.
+/// The input face that is visible at p if faces are painted one over the other.
 inline int painted(const std::vector<FilledFace>& faces, const Point& p) {
   int owner = outside;
   for (std::size_t f = 0; f < faces.size(); ++f) {
@@ -69,7 +70,7 @@ inline int painted(const std::vector<FilledFace>& faces, const Point& p) {
   return owner;
 }
 
-/// The input face whose region of the arrangement holds p; checks that no two do.
+/// The input face of the arrangement's face that contains p; checks that no two do.
 inline int found_at(const Arrangement& a, const Point& p) {
   std::vector<int> turns(a.boundary.faces.size(), 0);
   for (const Curve& curve : a.boundary.curves) {
@@ -108,7 +109,7 @@ inline bool same(const BoundaryComplex& a, const BoundaryComplex& b) {
          std::equal(a.curves.begin(), a.curves.end(), b.curves.begin(), b.curves.end(), same_curve);
 }
 
-/// Points that lie on no curve, with the painter's and the arrangement's answer.
+/// Checks that painting and the arrangement give the same face at many points that lie on no curve.
 inline void check_membership(const std::vector<FilledFace>& faces, const Arrangement& a, int count, unsigned seed) {
   Box box;
   for (const FilledFace& face : faces)

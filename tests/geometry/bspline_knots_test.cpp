@@ -28,7 +28,7 @@ TEST_CASE("knot insertion keeps the curve, its first knot and its parameter rang
   END_EVERY_CURVE
 }
 
-TEST_CASE("insertions and removals taken back leave the curve bit for bit, round the seam too",
+TEST_CASE("a curve is the same bit for bit when insertions and removals are taken back, also across the seam",
           "[geometry][property]") {
   const bool closed = GENERATE(false, true);
   const int degree = GENERATE(1, 2, 3, 5);
@@ -59,7 +59,7 @@ TEST_CASE("insertions and removals taken back leave the curve bit for bit, round
   CHECK(removed > 100);
 }
 
-TEST_CASE("removal undoes insertion to rounding, knots exactly", "[geometry][property]") {
+TEST_CASE("removal undoes insertion: points to rounding, knots exactly", "[geometry][property]") {
   EVERY_CURVE
   for (const double t : parameters(curve, 7)) {
     if (!closed && (t == curve.first_parameter() || t == curve.last_parameter())) continue;
@@ -105,7 +105,7 @@ TEST_CASE("the error of a removal bounds the distance, and only points near the 
   END_EVERY_CURVE
 }
 
-TEST_CASE("a break goes with all its knots", "[geometry]") {
+TEST_CASE("removing a break removes all copies of its knot", "[geometry]") {
   BSpline curve = random_curve(3, true, 11);
   const BSpline old = curve;
   const double t = (curve.breaks()[1] + curve.breaks()[2]) / 2;
@@ -133,10 +133,10 @@ TEST_CASE("elevation keeps the curve and raises every multiplicity by one", "[ge
   END_EVERY_CURVE
 }
 
-TEST_CASE("spans are found from both sides, round the seam", "[geometry]") {
+TEST_CASE("spans are found from both ends, also across the seam", "[geometry]") {
   const BSpline closed(3, true, {0, 0, 1, 3, 4, 4}, {{0, 0}, {1, 0}, {2, 1}, {1, 2}, {0, 2}});
   CHECK(closed.span_count() == 3);
-  CHECK(closed.multiplicity(0) == 3);  // twice at the start, and once more a period later
+  CHECK(closed.multiplicity(0) == 3);  // two copies at the start, and one a period later
   CHECK(closed.multiplicity(4) == 3);
   CHECK(closed.span_before(0) == 3);
   CHECK(closed.knot(-1) == 0);
@@ -155,7 +155,7 @@ TEST_CASE("spans are found from both sides, round the seam", "[geometry]") {
   CHECK(open.multiplicity(0.5) == 0);
 }
 
-TEST_CASE("what is not a B-spline is refused with its place", "[geometry]") {
+TEST_CASE("members that make no B-spline are refused with the place of the fault", "[geometry]") {
   const std::vector<Point> four{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
   const auto fault = [&](int degree, bool closed, std::vector<double> knots) {
     return BSpline::fault(degree, closed, knots, four).value_or("");

@@ -27,7 +27,7 @@ Point bezier(std::vector<Point> b, double s) {
   return b[0];
 }
 
-/// The r-th derivative of a Bézier curve of parameter length h at one end.
+/// The r-th derivative at one end of a Bézier curve over a parameter interval of length h.
 Point end_derivative(std::vector<Point> b, int r, double h, bool at_end) {
   for (int n = 0; n < r; ++n) {
     const double factor = static_cast<double>(b.size() - 1) / h;
@@ -109,7 +109,7 @@ TEST_CASE("interpolation at the Greville abscissae reproduces every curve of the
   END_EVERY_CURVE
 }
 
-TEST_CASE("interpolation keeps ends and points of multiplicity p exactly, and polynomials", "[geometry]") {
+TEST_CASE("interpolation keeps ends, points at knots of multiplicity p, and polynomials", "[geometry]") {
   const int degree = GENERATE(1, 2, 3, 4, 5);
   for (unsigned seed = 0; seed < 40; ++seed) {
     CAPTURE(degree, seed);
@@ -128,7 +128,7 @@ TEST_CASE("interpolation keeps ends and points of multiplicity p exactly, and po
   }
 }
 
-TEST_CASE("interpolation serves thousands of points, closed too", "[geometry]") {
+TEST_CASE("interpolation works for thousands of points, on closed curves too", "[geometry]") {
   const int degree = GENERATE(2, 3, 5);
   const int count = 5000;
   std::vector<double> knots;

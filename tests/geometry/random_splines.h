@@ -9,7 +9,7 @@
 
 namespace pliant::samples {
 
-/// A curve with 1 to 8 spans of unequal length, repeated knots (of a closed curve at the seam too), random points.
+/// A curve with 1 to 8 spans of unequal length, random points and repeated knots (on a closed curve also at the seam).
 inline BSpline random_curve(int degree, bool closed, unsigned seed) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> unit(0, 1);

@@ -140,9 +140,9 @@ refused knots_decrease "/curves/3/knots/3: curve 'floor': knots/3 is 1, but knot
 refused knot_nan "/curves/3/knots/2: should be a number, found 'N'"
 refused knot_null '/curves/3/knots/2: should be a number, found null'
 refused knot_huge '/curves/3/knots/2: is too large for a double'
-refused knots_of_no_length "/curves/3/knots/2: curve 'floor': knots/2 is 1, the first knot once too often; the ends have 2"
+refused knots_of_no_length "/curves/3/knots/2: curve 'floor': knots/2 is 1, the first knot once too often; an open curve of degree 1 has 2 equal knots at each end"
 refused knot_too_often "/curves/3/knots/3: curve 'floor': knots/3 is 1 once too often; a knot inside a curve of degree 1"
-refused not_clamped "/curves/3/knots/1: curve 'floor': knots/1 is 1, not the first knot's value; of an open curve of degree 1 the first 2"
+refused not_clamped "/curves/3/knots/1: curve 'floor': knots/1 is 1, not the first knot's value; an open curve of degree 1 has 2 equal knots at each end"
 refused too_few_knots "/curves/3: curve 'floor': knots: 5 knots, expected 6"
 
 for name in slit slit_at_a_corner vertex_alone hole_of_two_curves; do

@@ -17,7 +17,8 @@
 
 namespace pliant::samples {
 
-/// What det J and tau at one point of an element have in them: columns (along xi2, xi3) fixed + place * rate.
+/// The columns of J (along xi2 and xi3) at one point of an element: fixed + place * rate. det J and tau follow from
+/// them.
 struct Columns {
   Place fixed_2{}, fixed_3{};
   Real rate_2 = 0, rate_3 = 0;
@@ -26,14 +27,14 @@ struct Columns {
   Place along_3(const Place& q) const { return {fixed_3.x + q.x * rate_3, fixed_3.y + q.y * rate_3}; }
 };
 
-/// -det of the columns * scale, and its slope.
+/// The cost -scale * (determinant of the columns), and its slope.
 inline Cost area_cost(const Columns& c, const Place& q, Real scale) {
   const Place a = c.along_2(q), b = c.along_3(q);
   return {-scale * (a.x * b.y - a.y * b.x),
           {-scale * (c.rate_2 * b.y - c.rate_3 * a.y), -scale * (c.rate_3 * a.x - c.rate_2 * b.x)},
           true};
 }
-/// 1 / tau and its slope.
+/// The cost 1 / tau, and its slope.
 inline Cost shape_cost(const Columns& c, const Place& q) {
   static const Real root = 1 / std::sqrt(Real{3});
   const Place a = c.along_2(q), b = c.along_3(q), w{root * (2 * b.x - a.x), root * (2 * b.y - a.y)};
@@ -79,7 +80,7 @@ class OracleElement {
     const NetLayout& layout = NetLayout::of(degree_);
     for (int n = 0; n < layout.size(); ++n) {
       const auto& e = layout.exponents(n);
-      std::array<Real, 3> by{};  // derivatives of the Bernstein polynomial
+      std::array<Real, 3> by{};  // the derivatives of the Bernstein polynomial by xi1, xi2, xi3
       for (std::size_t c = 0; c < 3; ++c) {
         if (e[c] == 0) continue;
         by[c] = static_cast<Real>(layout.multinomial(n)) * e[c];
@@ -98,18 +99,18 @@ class OracleElement {
     return result;
   }
 
-  /// -det J / scale where it is greatest.
+  /// The greatest -scale * det J over the element, and its slope.
   Cost area_cost(const Place& q) const {
     return degree_ == 2 ? area_cost(blend(lowest_form(forms(q).area)), q)
                         : area_cost(lowest([this, &q](const Columns& c) { return -area_cost(c, q).cost; }), q);
   }
-  /// 1 / tau where it is greatest; det J > 0.
+  /// The greatest 1 / tau over the element, and its slope.   Requires    det J > 0 everywhere
   Cost shape_cost(const Place& q) const {
     return degree_ == 2
                ? samples::shape_cost(blend(lowest_shape(q)), q)
                : samples::shape_cost(lowest([&q](const Columns& c) { return 1 / samples::shape_cost(c, q).cost; }), q);
   }
-  /// The control triangles that the point is a corner of, as if each were an element.
+  /// The control triangles that have the moving point as a corner, each as if it were an element.
   std::vector<Columns> control_triangles() const {
     std::vector<Columns> all;
     const NetLayout& layout = NetLayout::of(degree_);
@@ -127,7 +128,7 @@ class OracleElement {
       }
     return all;
   }
-  /// All coefficients of det J / scale, as sums over pairs of differences.
+  /// All coefficients of -scale * det J with their slopes, as sums over pairs of differences.
   std::vector<Cost> coefficient_costs(const Place& q) const {
     const NetLayout &partial = NetLayout::of(degree_ - 1), &product = NetLayout::of(2 * (degree_ - 1));
     const NetLayout& layout = NetLayout::of(degree_);
@@ -175,7 +176,7 @@ class OracleElement {
   Cost area_cost(const Columns& c, const Place& q) const { return pliant::samples::area_cost(c, q, scale_); }
   std::size_t sample(int i, int j) const { return static_cast<std::size_t>(i * (steps_ + 1) - i * (i - 1) / 2 + j); }
 
-  // Any degree: from samples that are lower than their neighbours, ever smaller steps.
+  // For any degree: searches with ever smaller steps, from each sample that is lower than its neighbours.
   template <class Value>
   Columns lowest(Value value) const {
     std::vector<Real> values;
@@ -226,7 +227,7 @@ class OracleElement {
     return best;
   }
 
-  // p = 2: quadratic forms, whose stationary points are roots.
+  // For p = 2: quadratic forms, whose stationary points are roots of polynomials.
   Columns blend(const Xi& xi) const {
     Columns c;
     for (std::size_t i = 0; i < 3; ++i) {

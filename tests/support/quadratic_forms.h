@@ -1,5 +1,4 @@
-// tests/support/quadratic_forms.h: where in a triangle a quadratic form, or the quotient of two, is least, in long
-// double.
+// tests/support/quadratic_forms.h: the least places of quadratic forms and of their quotients on a triangle.
 #pragma once
 #include <algorithm>
 #include <array>

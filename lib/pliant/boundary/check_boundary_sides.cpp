@@ -258,7 +258,7 @@ class Sides {
       for (const auto& [f, times] : finding.faces)
         count +=
             (count.empty() ? "" : ", ") + name(f) + " " + std::to_string(times) + (times == 1 ? " time" : " times");
-      text += ", but by the sides of all curves what lies there is " + count + ": one face should, once, or none";
+      text += ", but by the sides of all curves what lies there is " + count + ": it should be one face, once, or none";
     }
     faults.push_back({"boundary", "/curves/" + std::to_string(c) + "/" + side, std::move(text)});
   }

@@ -84,6 +84,7 @@ class Search {
     return {left, right};
   }
 
+  /// The contact of two pieces that are not parts of each other.
   std::optional<Contact> compare(const Piece& a, const Piece& b) {
     // A curve that returns to its start would have two ends at the common node.
     if (a.from_node == a.to_node || b.from_node == b.to_node) {
@@ -97,16 +98,17 @@ class Search {
     if (at_start && at_end) return compare_halves(a, b);
     if (at_start) return from_common_end(a, a.from_node == b.from_node ? b : reversed(b));
     if (at_end) return from_common_end(reversed(a), a.to_node == b.from_node ? b : reversed(b));
-    return apart(a, b);
+    return compare_separate(a, b);
   }
 
-  std::optional<Contact> within(const Piece& piece, int depth = 0) {
+  /// The contact of a piece with itself, or the point where it stops.
+  std::optional<Contact> compare_with_itself(const Piece& piece, int depth = 0) {
     if (runs_along_chord(piece)) return std::nullopt;
     if (depth == deepest_self)
       return Contact{Contact::Kind::turns_back, piece.middle(), piece.middle(), piece.at(0), -1};
     const auto [left, right] = halves(piece);
-    if (auto found = within(left, depth + 1)) return found;
-    if (auto found = within(right, depth + 1)) return found;
+    if (auto found = compare_with_itself(left, depth + 1)) return found;
+    if (auto found = compare_with_itself(right, depth + 1)) return found;
     return compare(left, right);
   }
 
@@ -149,9 +151,9 @@ class Search {
       const auto [b1, b2] = halves(b);
       const Piece &near_a = cut_a ? a1 : a, &near_b = cut_b ? b1 : b;
       std::optional<Contact> found;
-      if (cut_a && cut_b) found = apart(a2, b2);
-      if (!found && cut_b) found = apart(near_a, b2);
-      if (!found && cut_a) found = apart(a2, near_b);
+      if (cut_a && cut_b) found = compare_separate(a2, b2);
+      if (!found && cut_b) found = compare_separate(near_a, b2);
+      if (!found && cut_a) found = compare_separate(a2, near_b);
       if (found) {
         if (near < blurred_corner * whole_extent) break;
         found->place += origin;
@@ -163,13 +165,14 @@ class Search {
     return Contact{Contact::Kind::turns_back, a.from, b.from, origin, a.from_node};
   }
 
-  std::optional<Contact> apart(Piece a, Piece b) {
+  /// The contact of two pieces without a common end.
+  std::optional<Contact> compare_separate(Piece a, Piece b) {
     const double size = std::max(reach(a), reach(b));
     tests_ = 0;
-    return apart(a, b, size, 0);
+    return compare_separate(a, b, size, 0);
   }
 
-  std::optional<Contact> apart(const Piece& a, const Piece& b, double size, int depth) {
+  std::optional<Contact> compare_separate(const Piece& a, const Piece& b, double size, int depth) {
     if (hulls_apart(a.polygon(), b.polygon(), least_margin * size)) return std::nullopt;
     const double extent_a = extent(a), extent_b = extent(b);
     if ((extent_a <= least_piece * size && extent_b <= least_piece * size) || ++tests_ > most_tests ||
@@ -177,8 +180,9 @@ class Search {
       return Contact{Contact::Kind::meets, a.middle(), b.middle(), a.at(0)};
     const bool split_a = extent_a >= extent_b;
     const auto [one, two] = halves(split_a ? a : b);
-    if (auto found = split_a ? apart(one, b, size, depth + 1) : apart(a, one, size, depth + 1)) return found;
-    return split_a ? apart(two, b, size, depth + 1) : apart(a, two, size, depth + 1);
+    if (auto found = split_a ? compare_separate(one, b, size, depth + 1) : compare_separate(a, one, size, depth + 1))
+      return found;
+    return split_a ? compare_separate(two, b, size, depth + 1) : compare_separate(a, two, size, depth + 1);
   }
 
   int next_node_;
@@ -199,7 +203,7 @@ std::optional<Contact> find_contact(const ContactCurve& a, const ContactCurve& b
 
 std::optional<Contact> find_self_contact(const ContactCurve& a) {
   const Point origin = a.polygon.front();
-  auto found = Search(above(a)).within(whole(a, origin));
+  auto found = Search(above(a)).compare_with_itself(whole(a, origin));
   if (found) found->place += origin;
   return found;
 }

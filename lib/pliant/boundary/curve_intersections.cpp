@@ -118,14 +118,14 @@ class MeetingSearch {
     const std::array end_of{common.end_start || common.end_end, common.start_end || common.end_end};
     for (const double u : {0.0, 1.0})
       if (!(u == 0 ? start_of[0] : end_of[0]))
-        if (const auto v = on(b, a.at(u == 0 ? 0 : a.degree), tolerance_)) report(a, u, b, *v);
+        if (const auto v = parameter_on(b, a.at(u == 0 ? 0 : a.degree), tolerance_)) report(a, u, b, *v);
     for (const double v : {0.0, 1.0})
       if (!(v == 0 ? start_of[1] : end_of[1]))
-        if (const auto u = on(a, b.at(v == 0 ? 0 : b.degree), tolerance_)) report(a, *u, b, v);
+        if (const auto u = parameter_on(a, b.at(v == 0 ? 0 : b.degree), tolerance_)) report(a, *u, b, v);
   }
 
   /// The parameter of the point of `part` nearest to p, if it is within the tolerance.
-  static std::optional<double> on(const Part& part, const Point& p, double tolerance) {
+  static std::optional<double> parameter_on(const Part& part, const Point& p, double tolerance) {
     const Box box = part.box();
     if (p.x < box.low.x - tolerance || p.x > box.high.x + tolerance || p.y < box.low.y - tolerance ||
         p.y > box.high.y + tolerance)
@@ -185,9 +185,9 @@ class MeetingSearch {
     std::size_t count = 0;
     const double reach = 2 * tolerance_;
     for (const double u : {0.0, 1.0})
-      if (const auto v = on(b, a.at(u == 0 ? 0 : a.degree), reach)) ends[count++] = {u, *v};
+      if (const auto v = parameter_on(b, a.at(u == 0 ? 0 : a.degree), reach)) ends[count++] = {u, *v};
     for (const double v : {0.0, 1.0})
-      if (const auto u = on(a, b.at(v == 0 ? 0 : b.degree), reach)) ends[count++] = {*u, v};
+      if (const auto u = parameter_on(a, b.at(v == 0 ? 0 : b.degree), reach)) ends[count++] = {*u, v};
     if (count < 2) return false;
     const auto [low, high] = std::minmax_element(ends.begin(), ends.begin() + static_cast<std::ptrdiff_t>(count),
                                                  [](const Pair& x, const Pair& y) { return x.u < y.u; });
@@ -196,7 +196,7 @@ class MeetingSearch {
     for (int i = 1; i < samples; ++i) {
       // Samples near the middle come first, because curves that do not coincide are farthest apart there.
       const double where = static_cast<double>(i % 2 == 1 ? (samples + i) / 2 : (samples - i + 1) / 2) / samples;
-      if (!on(b, bezier_point(a.polygon(), low->u + where * (high->u - low->u)), reach)) return false;
+      if (!parameter_on(b, bezier_point(a.polygon(), low->u + where * (high->u - low->u)), reach)) return false;
     }
     report(a, low->u, b, low->v);
     report(a, high->u, b, high->v);

@@ -26,8 +26,9 @@ CurveJet bezier_jet(std::span<const Point> polygon, double t);
 Point bezier_point(std::span<const Point> polygon, double t);
 void bezier_part(std::span<const Point> polygon, double t0, double t1, std::span<Point> out);
 
-/// The ascending parameters in (0, 1) that cut a Bézier curve into pieces monotone in x and in y. No cut is made that
-/// would leave a piece whose control polygon is smaller than `least`; legs of 1/16 of that, in x or in y, count as 0.
+/// The ascending parameters in (0, 1) that cut a Bézier curve into pieces monotone in x and in y. No piece gets a
+/// control polygon smaller than `least`, and a leg that advances in x, or in y, by at most 1/16 of that counts as
+/// constant there.
 std::vector<double> monotone_cuts(std::span<const Point> polygon, double least);
 
 }  // namespace pliant

@@ -75,8 +75,8 @@ void to_lattice(int degree, int width, std::span<const double> net, double* rows
   }
 }
 
-/// For p = 2: the three rows from which de Casteljau's first step makes each row of degree 1, with weights xi1, xi2,
-/// xi3.
+/// For p = 2: the rows that the first step of de Casteljau combines, with weights xi1, xi2, xi3, to each row of
+/// degree 1.
 constexpr int linear_nets[3][3] = {{0, 3, 5}, {3, 1, 4}, {5, 4, 2}};
 
 /// For p = 2: the first step of de Casteljau, which makes three rows. It needs no lattice order.

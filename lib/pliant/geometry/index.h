@@ -1,4 +1,4 @@
-// lib/pliant/geometry/index.h: from our signed indices to the unsigned ones of the standard library's containers.
+// lib/pliant/geometry/index.h: signed indices, converted to the unsigned ones of the standard library's containers.
 #pragma once
 #include <concepts>
 #include <cstddef>

@@ -30,13 +30,12 @@ struct ElementSearch {
 ///              by more than all rounding errors
 ///   undecided  20000 pieces showed neither
 ///
-/// A tolerance below rounding is raised to 64 degree 2^-53 times the reach, the greatest distance in x or y between p
-/// and a control point.
+/// A tolerance below rounding is raised to 64 degree 2^-53 times the greatest distance, in x or y, between p and a
+/// control point. Only an element that is folded, or flat along a line, leaves the question undecided.
 ///
-/// Complexity  O(degree^3) for each piece; in elements with det J > 0 few pieces of each size come near p, and there
-/// are
-///             log(element size / distance of p from the element's boundary) sizes. Only an element that is folded, or
-///             flat along a line, leaves the question undecided.
+/// Complexity  O(degree^3) for each piece; in elements with det J > 0 only few
+///             pieces of each size come near p, so their count grows like
+///             log(element size / distance of p from the element's boundary)
 ElementSearch find_in_element(int degree, std::span<const Point> net, const Point& p, double tolerance);
 
 }  // namespace pliant

@@ -12,8 +12,8 @@ struct KeptCurve {
   int left, right;  ///< faces
 };
 
-/// The arcs that separate different faces, chained through nodes where no other curve ends. They are in the order of
-/// the curves, and along each.
+/// The arcs that separate different faces, chained through nodes where no other curve ends; ordered by curve and along
+/// each curve.
 std::vector<KeptCurve> chain_arcs(const ArcNetwork& network, std::span<const SidedCurve> curves,
                                   const ArrangementGraph& graph, const ArcTolerances& tolerances);
 

@@ -12,11 +12,14 @@
 namespace pliant {
 namespace {
 
-constexpr double straight = 1e-13;  // a span is straight if its height over its size is at most this
-constexpr double least_stride =
-    1e-4;  // a straight span stops where a leg advances less, over an even share of the chord
-constexpr double least_speed = 1e-7;  // a curve stops at an end where the last leg is shorter, over the whole length
-constexpr double most_turning = std::numbers::pi / 3;  // a tip turns by more; a span of a mesh may turn by as much
+// A span is straight if its height, divided by its size, is at most this.
+constexpr double straight = 1e-13;
+// A straight span stops where a leg advances along the chord by less than this part of an even share.
+constexpr double least_stride = 1e-4;
+// A curve stops at an end where its last leg is shorter than this part of its length.
+constexpr double least_speed = 1e-7;
+// A tip turns by more than this, which is as much as a span of a mesh may turn.
+constexpr double most_turning = std::numbers::pi / 3;
 
 /// A span that may lie on a line.
 class LineSpan {

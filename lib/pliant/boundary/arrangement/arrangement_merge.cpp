@@ -41,7 +41,7 @@ class ArcMerger {
       std::vector<int> apart;
       for (std::size_t k = first; k < last; ++k) {
         const auto same =
-            std::find_if(apart.begin(), apart.end(), [&](int other) { return together(other, order[k]); });
+            std::find_if(apart.begin(), apart.end(), [&](int other) { return run_together(other, order[k]); });
         kept[index(order[k])] = same == apart.end() ? order[k] : *same;
         if (same == apart.end()) apart.push_back(order[k]);
       }
@@ -107,7 +107,7 @@ class ArcMerger {
   }
 
   /// Whether two arcs with the same ends are nowhere farther apart than a sliver.
-  bool together(int first, int second) {
+  bool run_together(int first, int second) {
     const auto a = network_.polygon(network_.arcs[index(first)]), b = network_.polygon(network_.arcs[index(second)]);
     const int samples = static_cast<int>(a.size() + b.size()) + 1;
     double most = 0;

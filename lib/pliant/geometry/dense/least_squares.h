@@ -1,5 +1,4 @@
-// lib/pliant/geometry/dense/least_squares.h: systems with more equations than unknowns, solved in memory that is
-// reused.
+// lib/pliant/geometry/dense/least_squares.h: systems with more equations than unknowns, in memory that is reused.
 #pragma once
 #include <span>
 #include <vector>

@@ -71,7 +71,7 @@ using Three = std::array<const ShapeFunction*, 3>;
 enum class Found {
   optimum,  ///< the three are equal there, and it is their optimum
   other,    ///< the three are equal there, but it is not their optimum
-  nothing
+  nothing   ///< no such place was found
 };
 
 /// Moves `at` to where three functions are equal, by Newton's method on (place, value). That is their optimum if some

@@ -29,7 +29,7 @@ constexpr double least_width = 5e-11;  // a value this close to the bound of the
 /// tau changes by less than rounding over the whole star.
 std::optional<ShapeFunction> shape_function(const Vector& fixed_2, const Vector& fixed_3, double rate_2,
                                             double rate_3) {
-  // T = J E^-1, E the map from the unit right triangle to the equilateral one.
+  // T = J E^-1, where E is the map from the unit right triangle to the equilateral one.
   constexpr double root = std::numbers::inv_sqrt3;
   const Vector a1 = fixed_2, a2 = root * (2 * fixed_3 - fixed_2);
   const double n1 = rate_2, n2 = root * (2 * rate_3 - rate_2);

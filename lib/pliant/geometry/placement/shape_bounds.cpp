@@ -185,7 +185,7 @@ struct LinearPiece {
 
 ShapeBounds least_quadratic_shape(std::span<const Point> net, double relative_width, int most_pieces) {
   const double scale = scale_of(net);
-  // T = J E^-1, E the map from the unit right triangle to the equilateral one.
+  // T = J E^-1, where E is the map from the unit right triangle to the equilateral one.
   LinearPiece whole{{net[3] - net[0], net[1] - net[3], net[4] - net[5]},
                     {net[5] - net[0], net[4] - net[3], net[2] - net[5]},
                     {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}},

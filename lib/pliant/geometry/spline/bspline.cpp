@@ -58,15 +58,14 @@ std::optional<std::size_t> too_often(std::span<const double> knots, std::size_t 
 std::optional<std::string> open_fault(int degree, std::span<const double> knots) {
   const auto p = static_cast<std::size_t>(degree);
   const std::size_t n = knots.size();
+  const std::string clamped = "; an open curve of degree " + std::to_string(degree) + " has " +
+                              std::to_string(degree + 1) + " equal knots at each end";
   for (std::size_t i = 1; i <= p; ++i) {
-    const std::string equal = "; of an open curve of degree " + std::to_string(degree) + " the first " +
-                              std::to_string(degree + 1) + " knots are equal, and so are the last";
-    if (knots[i] != knots[0]) return knot_is(knots, i) + ", not the first knot's value" + equal;
-    if (knots[n - 1 - i] != knots[n - 1]) return knot_is(knots, n - 1 - i) + ", not the last knot's value" + equal;
+    if (knots[i] != knots[0]) return knot_is(knots, i) + ", not the first knot's value" + clamped;
+    if (knots[n - 1 - i] != knots[n - 1]) return knot_is(knots, n - 1 - i) + ", not the last knot's value" + clamped;
   }
-  const auto most = "; the ends have " + std::to_string(degree + 1);
-  if (knots[p + 1] == knots[0]) return knot_is(knots, p + 1) + ", the first knot once too often" + most;
-  if (knots[n - p - 2] == knots[n - 1]) return knot_is(knots, n - p - 2) + ", the last knot once too often" + most;
+  if (knots[p + 1] == knots[0]) return knot_is(knots, p + 1) + ", the first knot once too often" + clamped;
+  if (knots[n - p - 2] == knots[n - 1]) return knot_is(knots, n - p - 2) + ", the last knot once too often" + clamped;
   if (const auto i = too_often(knots, p + 1, n - p - 1, degree))
     return knot_is(knots, *i) + " once too often; a knot inside a curve of degree " + std::to_string(degree) +
            " is there at most " + std::to_string(degree) + " times";
@@ -82,12 +81,15 @@ std::optional<std::string> closed_fault(int degree, std::span<const double> knot
            " is there at most " + std::to_string(degree) + " times";
   const auto seam =
       std::count(knots.begin(), knots.end() - 1, first) + std::count(knots.begin(), knots.end() - 1, last);
-  if (seam > degree) return "knots/0 and its period have a multiplicity of more than " + std::to_string(degree);
+  if (seam > degree)
+    return knot_is(knots, 0) +
+           ", too often together with the knots at the end of the period; a knot of a curve of degree " +
+           std::to_string(degree) + " is there at most " + std::to_string(degree) + " times";
   for (std::size_t i = 1; i <= m; ++i) {
     const bool same = knots[i] == knots[i - 1];
     if (!same && (last + (knots[i] - first) == last + (knots[i - 1] - first) ||
                   first - (last - knots[i]) == first - (last - knots[i - 1])))
-      return number("knots", i) + " cannot be told from the one before when a period is added";
+      return number("knots", i) + " is so close to the knot before that the two are equal a period later or earlier";
   }
   return std::nullopt;
 }

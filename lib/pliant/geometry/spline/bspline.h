@@ -46,9 +46,9 @@ class BSpline {
   double period() const { return last_parameter() - first_parameter(); }
   /// Knot i of the stored knots, on a closed curve of their periodic continuation.
   double knot(int i) const;
-  /// The index i of the knot at which the span that contains t starts (at an end of an open curve, the span next to
-  /// it): the last knot with knot(i) <= t. The control points that matter at t are i - degree to i, on a closed curve
-  /// continued periodically.   Complexity O(log knots)
+  /// The index i of the knot at which the span that contains t starts: the last knot with knot(i) <= t, or, where an
+  /// open curve ends, the start of the last span. The control points that matter at t are i - degree to i, on a closed
+  /// curve continued periodically.   Complexity O(log knots)
   int interval(double t) const;
 
   /// How many spans there are; counts no further than `most`.   Complexity O(min(knots, most * degree))
@@ -58,8 +58,7 @@ class BSpline {
   std::vector<double> breaks() const;
   /// The end t1 of the span that starts at the break t0.   Complexity O(log knots)
   double span_end(double t0) const;
-  /// The start of the span that ends at the break t1. On a closed curve the span before the first break is the last
-  /// one.
+  /// The start of the span that ends at the break t1. On a closed curve the last span is before the first break.
   double span_before(double t1) const;
   /// Multiplicity of the break t (0 if t is no knot). On a closed curve the seam's copies at both ends are counted.
   int multiplicity(double t) const;
@@ -101,9 +100,8 @@ class BSpline {
   ///
   /// Returns     a bound of the distance between the old and the new curve: how far the farthest control point would be
   ///             from its old place (a bound, because basis functions are not negative and sum to 1)
-  /// Refuses     empty, and the curve is unchanged, at an end of an open curve, where a closed one would keep fewer
-  /// than
-  ///             `degree` control points, and where t is no knot
+  /// Refuses     an end of an open curve; a t that is no knot; a closed curve that would keep fewer than `degree`
+  ///             control points. The result is then empty, and the curve is unchanged.
   /// Complexity  O(degree^2), and what an erasure from a Sequence costs
   std::optional<double> remove_knot(double t, Edits* edits = nullptr);
   /// What remove_knot(t) would return; the curve is unchanged.   Complexity O(degree^2 + log knots), no allocation
@@ -126,7 +124,9 @@ class BSpline {
   /// exact to rounding. On a closed curve it is the enclosed area.
   double area() const;
   double area(const Point& origin) const;  ///< the same as seen from another place
-  double arc_length() const;  ///< by Gauss rules on halved spans; where the speed is not near 0, to 1e-12 relative
+  /// The length of the curve, by Gauss rules on spans that are halved as needed: right to 1e-12 of it, unless the curve
+  /// nearly stops somewhere.
+  double arc_length() const;
 
  private:
   void insert_point(int i, Edits* edits);

@@ -28,8 +28,8 @@ inline constexpr double degenerate_gap_at_cusp = 0x1p-400;
 /// parallel to an edge. At depth l every edge is at most 2^-floor((l - 1) / 2) of a side or median of the element, so M
 /// is at most 4^(1 - floor((l - 1) / 2)) of the greatest coefficient. An open piece has corners that are not negative,
 /// so its coefficients are above -(d^2 / 6) M and one of its corners is below (d^2 / 6) M. Among 2048 bisected pieces
-/// at least one is at depth 11, and what is left is no lower than any of them: the gap is at most (8 / 3) (p - 1)^2 /
-/// 2^10.
+/// at least one is at depth 11, and no piece that is left is lower than any of these. So the gap is at most
+/// (8 / 3) (p - 1)^2 / 2^10.
 ///
 /// Coefficients longer than some 570 bits, which come from control points whose exponents differ by hundreds, are
 /// rounded down to some 512 bits before they are bisected. "valid" and "invalid" stay proofs, but the gap of a minimum

@@ -73,8 +73,7 @@ void multiply_rows(const Vector* a, const Vector* b, double* sums) {
   }
 }
 
-/// For the entries m and n of two nets of this degree, at index n + m * size: the entry of the product that they add
-/// to.
+/// At index n + m * size: the entry of the product to which the entries m and n of two nets of this degree add.
 template <int degree>
 constexpr auto product_targets() {
   std::array<std::size_t, static_cast<std::size_t>(net_size(degree) * net_size(degree))> targets{};

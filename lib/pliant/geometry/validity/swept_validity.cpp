@@ -17,7 +17,7 @@
 namespace pliant {
 namespace {
 
-constexpr double finest_interval = 0x1p-12;
+constexpr double finest_interval = 0x1p-12;  // shorter intervals of time are not halved
 constexpr int depth_at_cusp = 20;  // pieces at a cusp's corner are bisected no further; they are 2^-10 of the element
 
 /// det J(xi, t) in tensor Bernstein form: for each of the three coefficients in time a net in lattice order.
