@@ -1,5 +1,4 @@
-// tests/mesh/curved_samples.h: meshes of many shapes, as curved as validity allows, and what a location in them has to
-// fulfil.
+// tests/mesh/curved_samples.h: strongly curved meshes of many shapes, and checks of what is located in them.
 #pragma once
 #include <algorithm>
 #include <catch2/catch.hpp>
@@ -43,7 +42,7 @@ inline BoundaryComplex spiral(int degree) {
   return b;
 }
 
-/// A channel around an obstacle, which is a hole.
+/// A channel with an obstacle in it, which is a hole.
 inline BoundaryComplex channel(int degree) {
   BoundaryComplex b = with_faces({"fluid"});
   b.vertices = {{0, 0}, {4, 0}, {4, 1}, {0, 1}};
@@ -70,7 +69,7 @@ inline Mesh meshed(const BoundaryComplex& boundary, int degree, double area = 0)
   return mesh;
 }
 
-/// Moves inner control points, vertices too, at random as long as all elements stay valid: as curved as can be.
+/// Makes elements strongly curved: moves inner control points and inner vertices at random, if elements stay valid.
 inline void shake(Mesh& mesh, int moves, int seed) {
   std::vector<std::vector<TriangleId>> users(index(mesh.point_slots()));
   std::vector<bool> is_fixed(index(mesh.point_slots()));

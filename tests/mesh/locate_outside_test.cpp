@@ -19,7 +19,7 @@ using namespace pliant::samples;
 
 namespace {
 
-/// The outer boundary as segments, which are within `margin` of it.
+/// The outer boundary as a polygon of segments, none farther from it than `margin`.
 class OuterPolygon {
  public:
   explicit OuterPolygon(const Mesh& mesh) {
@@ -42,7 +42,7 @@ class OuterPolygon {
     }
   }
 
-  /// By winding number; empty where p is too near to tell.
+  /// Whether p is inside, by the winding number; empty if p is too near to the polygon to tell.
   std::optional<bool> contains(const Point& p) const {
     int turns = 0;
     for (const auto& [a, b] : segments_) {
@@ -126,7 +126,7 @@ TEST_CASE("points are found up to a cusp, and none beside it", "[mesh]") {
   for (int degree = 3; degree < 6; ++degree) {
     const Mesh mesh = meshed(samples::crescent(0), degree);
     Locator locator(mesh);
-    // The sides leave the cusp at the origin as cubics (lower: 0.6 t^2 (1 - t) in y; upper: to the left of it).
+    // Two cubics leave the cusp at the origin: the lower side has y = 0.6 t^2 (1 - t), the upper one is left of it.
     const auto lower = [](double t) {
       return Point{1.5 * t * (1 - t) * (1 - t) + 3.6 * t * t * (1 - t) + 2 * t * t * t, 0.6 * t * t * (1 - t)};
     };

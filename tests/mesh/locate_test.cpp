@@ -46,7 +46,7 @@ TEST_CASE("every point of every element is found, from any hint, and always in t
   }
 }
 
-TEST_CASE("points on edges and vertices, or next to them, are found in the least of the elements there",
+TEST_CASE("points on edges and vertices, or next to them, are found in the element there with the least number",
           "[mesh][property]") {
   const int degree = GENERATE(range(1, 6));
   for (const Sample& sample : sample_meshes(degree)) {
@@ -67,7 +67,7 @@ TEST_CASE("points on edges and vertices, or next to them, are found in the least
         const Point p = on + off * mesh.size() * Point{std::cos(angle), std::sin(angle)};
         CAPTURE(k, t, xi, off);
         const auto found = locator.find(p, t);
-        if (!found && !is_inner && off > 0) continue;  // within 1e-12 of the outer boundary both are right
+        if (!found && !is_inner && off > 0) continue;  // within 1e-12 of the outer boundary either answer is right
         check_location(mesh, p, found);
         CHECK(is_same(Locator(mesh).find(p, random.integer(0, mesh.triangle_slots() - 1)), found));
         const std::vector<TriangleId> all = containing(mesh, p);
@@ -98,7 +98,7 @@ TEST_CASE("elements are found where triangles of the logical mesh are inverted",
   CHECK(inverted > 0);
 }
 
-TEST_CASE("at a vertex where parts of the mesh touch the least of all elements is found", "[mesh]") {
+TEST_CASE("at a vertex where parts of the mesh touch, the element with the least number is found", "[mesh]") {
   samples::MeshBuilder builder(2);
   builder.data().boundary = samples::with_faces({"hourglass"});
   std::vector<PointId> v;
@@ -114,7 +114,7 @@ TEST_CASE("at a vertex where parts of the mesh touch the least of all elements i
   }
 }
 
-TEST_CASE("many points at once are found as one by one", "[mesh][property]") {
+TEST_CASE("many points at once are found where they are found one by one", "[mesh][property]") {
   const int degree = GENERATE(range(1, 6));
   for (const Sample& sample : sample_meshes(degree)) {
     const Mesh& mesh = sample.mesh;

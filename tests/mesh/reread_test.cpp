@@ -13,7 +13,7 @@ using namespace pliant;
 
 namespace {
 
-/// Multiplies all places by a power of two, as a motion would.
+/// Multiplies all positions by a power of two, as a motion would.
 void grow(Mesh& mesh, int exponent) {
   const double factor = std::ldexp(1.0, exponent);
   std::vector<Point> points;
@@ -44,7 +44,7 @@ TEST_CASE("a mesh reread has the size and the unit that a reader gives it", "[me
   CHECK(mesh.tolerance() == read.tolerance());
   CHECK(mesh.to_data().points == document.points);
 
-  // And on from there: what counts is the size in the document.
+  // A second change of size goes on from there: what counts is the size in the document.
   grow(mesh, -exponent);
   reread(mesh);
   CHECK(mesh.boundary().unit == 1);

@@ -111,7 +111,7 @@ TEST_CASE("two cells pushed into each other overlap", "[quality]") {
   CAPTURE(gap);
   samples::MeshBuilder builder(2);
   samples::add_disk(builder, 16, {0, 0}, 1, "left");
-  const double radius = 1;  // of the circle through the control polygon; the spline reaches a little less far
+  const double radius = 1;  // control points lie on this circle; the spline reaches a little less far
   const BSpline outline = samples::round_spline(2, 16, {0, 0}, radius);
   double reach = 0;
   for (int k = 0; k <= 1600; ++k) reach = std::max(reach, outline.evaluate(16 * k / 1600.0).x);

@@ -15,11 +15,12 @@ enum class StepPolicy {
   force    ///< it is taken all the same
 };
 struct AdvectOptions {
-  double dt = 0;
+  double dt = 0;     ///< the step to take (time); negative: back in time
   int substeps = 1;  ///< Runge-Kutta steps within dt
   StepPolicy policy = StepPolicy::refuse;
   bool keep_area = false;  ///< each closed curve is offset along its normals to enclose the same area
 };
+/// What became of a step.
 struct AdvectOutcome {
   enum class Status {
     done,             ///< the whole step was taken

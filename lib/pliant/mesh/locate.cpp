@@ -18,7 +18,7 @@
 namespace pliant {
 namespace {
 
-constexpr double inside_tolerance = 1e-12;  // a barycentric coordinate above minus this counts as inside
+constexpr double inside_tolerance = 1e-12;  // xi counts as inside if no coordinate is below minus this
 constexpr double near_edge = 1e-9;  // a barycentric coordinate below this is near the edge: look at the neighbour too
 constexpr int max_attempts = 12;    // a walk tries Newton in at most so many elements
 constexpr int max_around = 64;      // around an edge or a vertex at most so many elements are looked at

@@ -15,15 +15,19 @@ struct Location {
 
 /// Finds elements by position: by a walk from an element nearby, or by a search in a tree of control-net boxes.
 ///
-/// Ensures     found: chi(xi) was evaluated and is within 1e-14 of the mesh's size (or rounding) of p, and no
-///             coordinate of xi is below -1e-12. So a point outside the domain by at most 1e-12 of an element's size
-///             may be found in that element.
-///             Outside: no element contains p. `find_in_element` proved it for each element whose control net's box
-///             contains p. If an element breaks M3 the proof may not end; the element then counts as not containing p.
-///             Several elements contain p (up to 1e-12 in xi): the one with the least number of those that meet there
-///             is the answer, so hints and earlier questions do not change it. A point that is not finite is outside.
-/// Requires    the same mesh for every question: the tree is made when first needed and kept. After a change of the
-///             mesh call `forget_tree` or construct anew. One thread at a time
+/// A point p that is found: chi(xi) was evaluated, and differs from p by no more than 1e-14 of the mesh's size, or
+/// rounding; no coordinate of xi is below -1e-12. So a point outside the domain, but by no more than 1e-12 of an
+/// element's size, may be found in that element.
+///
+/// A point that is outside: `find_in_element` proved that it is in none of the elements whose control net's box
+/// contains it. If an element breaks M3 the proof may not end, and the element counts as not containing the point. A
+/// point that is not finite is outside.
+///
+/// A point in several elements, up to 1e-12 in xi: the answer is the element with the least number of those that meet
+/// there. Hints and earlier questions do not change it.
+///
+/// Requires    that the mesh does not change: the tree is made when first needed and kept. After a change call
+///             `forget_tree` or construct anew; one thread at a time
 class Locator {
  public:
   explicit Locator(const Mesh& mesh) : mesh_(mesh) {}
@@ -40,7 +44,7 @@ class Locator {
   /// element of each as the hint for the next.
   ///
   /// Shapes      found: as many as points
-  /// Complexity  expected O(1) per point where there are as many points as triangles; memory for 2^20 points at most
+  /// Complexity  expected O(1) per point where there are as many points as triangles; about 8 MB of memory at most
   void find_all(std::span<const Point> points, std::span<std::optional<Location>> found);
   /// Only the walk: empty if it fails, which does not mean that p is outside. It goes through the logical mesh from
   /// `hint`, then tries Newton in the element where it ends; where xi has negative coordinates it goes on to the
@@ -70,7 +74,7 @@ class Locator {
   const Mesh& mesh_;
   TriangleTree tree_;
   TriangleId last_ = none;  // where the last point was found: the hint for the next of many
-  long steps_ = 0;          // of all walks since the last forget_tree: many make a tree worth its cost
+  long steps_ = 0;          // how many steps all walks have taken since the last forget_tree
 };
 
 }  // namespace pliant

@@ -1,4 +1,4 @@
-// lib/pliant/mesh/reread.cpp: a mesh as it would be if it had been written to a document and read again.
+// lib/pliant/mesh/reread.cpp: compacts a mesh and chooses its unit of length anew, if all its numbers are finite.
 #include "pliant/mesh/reread.h"
 
 #include <algorithm>

@@ -7,7 +7,7 @@ namespace pliant {
 
 struct InsertResult {
   Outcome outcome = Outcome::done;
-  PointId vertex = none;
+  PointId vertex = none;  ///< the new vertex; none if refused
 };
 
 /// Subdivides the triangle at xi (de Casteljau); geometry and fields stay. If the least coordinate of xi is below

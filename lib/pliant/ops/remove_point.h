@@ -19,6 +19,7 @@ Outcome remove_degree_three(Mesh& mesh, PointId v, const RefitOptions& options =
 /// these become one.
 Outcome remove_inner_vertex(Mesh& mesh, PointId v, const RefitOptions& options = {});
 
+/// What became of the removal of a vertex from a curve.
 struct CurveRemoval {
   Outcome outcome = Outcome::done;
   double error = 0;  ///< a bound of the distance between the old and the new curve

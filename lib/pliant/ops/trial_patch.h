@@ -11,7 +11,10 @@
 
 namespace pliant {
 
-enum class SmoothGoal { untangle, improve };
+enum class SmoothGoal {
+  untangle,  ///< raise the least coefficient of det J
+  improve    ///< raise the least shape tau
+};
 
 /// A copy of the nets of some elements, on which smoothers try places out. The mesh is not changed, and no field is
 /// fitted, before `apply`. Memory is reused from one patch to the next.
@@ -56,7 +59,7 @@ class TrialPatch {
 
  private:
   int degree_ = 0;
-  std::size_t size_ = 0;  // of one net
+  std::size_t size_ = 0;  // control points in one net
   std::vector<TriangleId> elements_;
   std::vector<PointId> ids_;  // the points of all nets, one net after the other
   Nets nets_, old_;

@@ -14,7 +14,7 @@ namespace pliant {
 
 /// Sums up the values of one metric, some at a time; NaN stands for a value that does not exist. In the list of the
 /// worst values, `triangle` is the position of the value among all that were added, and the first of equal values is
-/// the worst; the caller replaces positions by triangles. Values are kept if `keeps_values`, and if the histogram has
+/// the worst; the caller replaces positions by triangles. Values are kept if `keeps_values`, or if the histogram has
 /// no fixed range. A fixed range from 0 to 1 becomes -1 to 1 if there are negative values.
 class Summariser {
  public:

@@ -1,4 +1,4 @@
-// lib/pliant/quality/metrics.cpp: the table of metrics.
+// lib/pliant/quality/metrics.cpp: the table of metrics, and its look-up by name.
 #include "pliant/quality/metrics.h"
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 namespace pliant {
 namespace {
 
-constexpr double of_data = std::numeric_limits<double>::quiet_NaN();
+constexpr double of_data = std::numeric_limits<double>::quiet_NaN();  // the histogram takes the bound of the values
 using Unit = Metric::Unit;
 using Per = Metric::Per;
 

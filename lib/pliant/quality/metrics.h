@@ -1,4 +1,4 @@
-// lib/pliant/quality/metrics.h: the table of metrics that reports, conditions, tables, pages and pictures share.
+// lib/pliant/quality/metrics.h: the one table of metrics for reports, conditions, tables, pages and pictures.
 #pragma once
 #include <span>
 #include <string_view>
@@ -9,42 +9,43 @@
 namespace pliant {
 struct ElementMeasures;
 
-/// One metric of elements: what it is called, what it means, and which of an element's measures it is.
+/// One metric of elements: what it is called, what it means, and which measure of an element it is.
 struct Metric {
   enum class Unit { number, degrees, length, area };
-  /// What the values of a mesh are counted over.
+  /// What the summary of a mesh is taken over.
   enum class Per {
-    element,
-    edge,        ///< of a mesh each edge counts once, of an element its shortest edge is the value
-    table_entry  ///< a value of elements in tables and pages; meshes have no summary of it
+    element,     ///< over the elements
+    edge,        ///< over the edges, each once; the value of an element is its shortest edge
+    table_entry  ///< there is no summary: the metric is for single elements only, in tables and pages
   };
 
-  std::string_view name;   ///< in reports, conditions, tables and options
+  std::string_view name;   ///< the name in reports, conditions, tables and options
   std::string_view label;  ///< a word or two for people, where there is little room
-  std::string_view title;  ///< for the legend of a picture
-  std::string_view text;   ///< a sentence
+  std::string_view title;  ///< the legend of a picture
+  std::string_view text;   ///< what the metric is, in a sentence
   Unit unit;
   Per per;
   bool worst_is_least;
-  double low, high;  ///< of a histogram; where a bound is NaN the data's own is taken
+  double low, high;  ///< the range of a histogram; where a bound is NaN it is that of the values
   double ElementMeasures::*value;
 };
 
 /// All metrics, in the order of the columns of tables.
 std::span<const Metric> all_metrics();
-/// Those that a report sums up, in its order: all but those that only tables have.
+/// The metrics that a report sums up, in its order: all except those with Per::table_entry.
 std::span<const Metric* const> report_metrics();
-/// The metric of that name, of all or of those in a report; null if there is none.
+/// The metric of this name, among all or among those in a report; null if there is none.
 const Metric* find_metric(std::string_view name);
 const Metric* find_report_metric(std::string_view name);
 /// The names of the report's metrics, with commas between them.
 std::string_view metric_list();
 /// "none", "degrees", "length" or "area".
 std::string_view unit_name(Metric::Unit unit);
-/// By what a value grows where lengths grow by `factor`.
+/// The factor by which a value grows if lengths grow by `factor`.
 double unit_factor(Metric::Unit unit, double factor);
 
-/// The metric's value for each element, as `report_quality` has it; NaN where there is none.
+/// The value of the metric for each element, the same as in `report_quality`; NaN where there is none.
+///
 /// Requires    check_arrays(data) to be empty
 std::vector<double> element_values(const MeshData& data, const Metric& metric);
 

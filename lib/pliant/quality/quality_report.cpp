@@ -215,9 +215,9 @@ class Reporter {
   std::vector<Summariser> metrics_;  // edge lengths have a value for each edge, all others one for each element
   std::vector<char> roles_;          // the EdgeRole of each half-edge
   std::vector<double> lengths_;      // scratch
-  // Of each chosen element, where single elements are asked for.
+  // For each chosen element, if single elements are asked for.
   std::vector<Validity> validity_;
-  std::vector<std::vector<double>> columns_;  // of the metrics whose summary is not of elements
+  std::vector<std::vector<double>> columns_;  // values of the metrics whose summary is not over elements
   std::array<Point, net_size(max_degree)> net_;
   QualityReport report_;
 };

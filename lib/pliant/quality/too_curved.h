@@ -38,8 +38,7 @@ class CurvatureTest {
  private:
   int degree_;
   CurvatureBounds bounds_;
-  // If no angle between two legs of an edge's polygon has a cosine below this, the edge turns by no more than its
-  // bound.
+  // An edge turns by no more than its bound if no angle between consecutive legs of its polygon has a smaller cosine.
   double least_cosine_;
 };
 

@@ -31,7 +31,7 @@ constexpr int max_steps = 12;
 constexpr double wanted_ratio = 0.05;  // coefficients of det J below this part of their target get more weight,
 constexpr double weight_growth = 3;    // by this factor after each step
 constexpr double least_share = 1e-6;   // each logical triangle must have this share of the region for these steps
-// Displacements shorter than this times the largest coordinate are none.
+// Displacements shorter than this times the largest coordinate count as none.
 constexpr double rounding = 0x1p-51;
 
 /// The place of control point k in the straight triangle a, b, c.

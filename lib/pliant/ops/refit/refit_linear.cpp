@@ -6,7 +6,6 @@
 #include "pliant/ops/refit/refit.h"
 
 namespace pliant {
-namespace {}  // namespace
 
 Patch::Moments Patch::moments_of(FaceId face) const {
   Moments m;

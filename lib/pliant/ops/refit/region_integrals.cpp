@@ -10,7 +10,6 @@
 #include "pliant/ops/refit/refit.h"
 
 namespace pliant {
-namespace {}  // namespace
 
 std::size_t RegionIntegrals::place(int column, FaceId f, bool by_face) const {
   const std::size_t first = index(column) * (faces_.size() + 1);

@@ -10,7 +10,6 @@
 #include "pliant/ops/flip_edge.h"
 
 namespace pliant {
-namespace {}  // namespace
 
 double depth_in_circle(const Point& a, const Point& b, const Point& c, const Point& v) {
   const Vector p = a - v, q = b - v, r = c - v;
