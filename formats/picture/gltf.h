@@ -13,11 +13,10 @@ namespace pliant {
 struct GltfOptions {
   ColorBy color;
   const Colormap* map = colormaps().data();
-  std::optional<ValueRange> range;  ///< the values of the first and last colour; by default the range of all frames
-  int subdivide = 0;                ///< pieces of every edge; 0: as many as curvature and colours need
-  double tolerance = 2e-4;          ///< how far chords may be from curved edges, as a part of the first mesh's size
-  std::optional<double>
-      outline_width;  ///< of constrained edges, in mesh units; by default 1/400 of the first mesh's size
+  std::optional<ValueRange> range;      ///< the values of the first and last colour; by default the range of all frames
+  int subdivide = 0;                    ///< pieces of every edge; 0: as many as curvature and colours need
+  double tolerance = 2e-4;              ///< how far chords may be from curved edges, as a part of the first mesh's size
+  std::optional<double> outline_width;  ///< of constrained edges; by default 1/400 of the first mesh's size
   double frames_per_second = 25;
   bool edges = true;
   bool quantize = false;  ///< positions in 16 bits (KHR_mesh_quantization)

@@ -10,8 +10,7 @@
 namespace pliant::svg {
 namespace {
 
-constexpr double same_place =
-    1e-12;  // sums of decimals leave this gap, a part of the drawing's size, between equal ends
+constexpr double same_place = 1e-12;   // gap, as a part of the drawing's size, that sums of decimals leave
 constexpr double exact_join = 1e-13;   // how far a join of exact pieces may move, as a part of the drawing's size
 constexpr double smooth_angle = 1e-3;  // in radians: a greater turn is a corner, however short its legs are
 constexpr double most_stretch = 16;    // of a knot span over its piece's length; beyond it ratios start anew
