@@ -48,7 +48,7 @@ class Import {
     if (!text.empty()) result_.warnings.push_back(std::move(text));
   }
 
-  /// The physical group of each block and line; MSH 4.1 has them with the entities.
+  /// Gives each block and line its physical group, which MSH 4.0 and 4.1 keep with the entities.
   void resolve_groups() {
     if (file_.entities.empty()) return;
     bool has_more = false;
@@ -65,7 +65,7 @@ class Import {
   }
   void warn_of_several_groups() { warn("elements in several physical groups count for the first one"); }
 
-  /// MSH 2.2 lists an element once for each physical group of its entity.
+  /// Keeps the first of equal elements: MSH 2.2 lists an element once for each physical group of its entity.
   void drop_repeated() {
     std::map<int, std::set<int>> groups;
     for (const MshTriangles& block : file_.blocks) groups[block.entity].insert(block.physical);
@@ -118,7 +118,7 @@ class Import {
     file_.triangle_tags = std::move(tags);
   }
 
-  /// The highest order is the degree of the mesh; true if there are lower ones.
+  /// Makes the highest order the degree of the mesh. True if there are triangles of lower orders.
   bool find_degree() {
     int low = max_degree, high = 0;
     for (const MshTriangles& block : file_.blocks)
@@ -154,7 +154,7 @@ class Import {
         if (const auto named = file_.names.find({2, tag});
             is_group && named != file_.names.end() && !named->second.empty())
           name = msh_name(named->second);
-        // Groups of the same name are not the same group.
+        // Different groups of one name stay different faces.
         while (!names.insert(name).second) name += " (" + std::to_string(tag) + ")";
         mesh().boundary.faces.push_back({name, {}});
       }
@@ -162,7 +162,7 @@ class Import {
     }
   }
 
-  /// Only the nodes of triangles matter: a file may carry others from anywhere.
+  /// Checks that the nodes of triangles lie in one plane of constant z. Other nodes may lie anywhere.
   void check_plane() {
     if (file_.z.empty()) return;
     Box box;
@@ -190,7 +190,7 @@ class Import {
            (options_.orient ? " among neighbours that do not" : "; import-msh --orient turns whole parts that do"));
   }
 
-  /// Nodes of no triangle: points of the geometry, of other elements.
+  /// Drops the nodes that no triangle uses: points of the geometry, nodes of other elements.
   void drop_unused(const std::vector<std::int32_t>& uses) {
     result_.nodes = file_.tags.all();
     if (std::find(uses.begin(), uses.end(), unused_point) == uses.end()) return;
@@ -205,7 +205,7 @@ class Import {
     }
     mesh().points.resize(kept);
     for (PointId& p : mesh().triangles) p = number[index(p)];
-    // Lines whose ends no triangle has stay, to be counted.
+    // Lines whose ends belong to no triangle are kept, so that the warning counts them.
     for (MshLine& line : file_.lines) {
       line.from = number[index(line.from)];
       line.to = number[index(line.to)];
@@ -229,7 +229,7 @@ class Import {
   std::size_t turned_ = 0;
 };
 
-/// The length of the UTF-8 sequence that starts here, 0 if it is none.
+/// The length of the UTF-8 sequence that starts here; 0 if none does.
 std::size_t utf8_length(std::string_view text) {
   const auto byte = [&](std::size_t k) { return static_cast<unsigned char>(text[k]); };
   const unsigned char first = byte(0);

@@ -10,16 +10,16 @@
 
 namespace pliant {
 
-/// Numbers that Gmsh gave to a sequence of things, kept as runs of successive ones.
+/// The tags that Gmsh gave to a sequence of elements or nodes, kept as runs of successive numbers.
 class TagRuns {
  public:
-  /// The next thing of the sequence has this tag.
+  /// Adds the tag of the next thing of the sequence.
   void add(std::uint64_t tag) {
     if (runs_.empty() || tag != next_) runs_.push_back({tag, count_});
     next_ = tag + 1;
     ++count_;
   }
-  /// The same for `count` things with successive tags.
+  /// Adds `count` things, whose tags follow each other.
   void add(std::uint64_t tag, std::size_t count) {
     if (count == 0) return;
     add(tag);
@@ -28,7 +28,7 @@ class TagRuns {
   }
   struct Run {
     std::uint64_t tag;
-    std::size_t first;  ///< place in the sequence
+    std::size_t first;  ///< place of the run's first thing in the sequence
   };
   const std::vector<Run>& runs() const { return runs_; }
   std::size_t size() const { return count_; }
@@ -48,26 +48,25 @@ struct MshOptions {
 struct MshImport {
   MeshData mesh;
   std::vector<std::string> warnings;  ///< what was left out or looks wrong, a sentence each
-  std::vector<std::string> notes;     ///< what was left out and is no loss: points of the geometry
+  std::vector<std::string> notes;     ///< what was left out without loss: points of the geometry
   TagRuns elements;                   ///< Gmsh's tag of each triangle
-  TagRuns nodes;                      ///< and of each point; of those that elevation made the first free ones
+  TagRuns nodes;  ///< Gmsh's tag of each point; points that elevation made have the tags behind the greatest
 };
 
-/// The section that says how the others are written; sections that mean nothing may stand before it.
+/// The section that says how the others are written. Sections that are passed over may stand before it.
 inline constexpr std::string_view msh_magic = "$MeshFormat";
 
-/// The mesh of a file: Lagrange nodes become Bézier control points, physical groups faces and names of curves; edges
-/// with one triangle, or between two faces, become constrained edges.
+/// Reads the mesh of a file: Lagrange nodes become Bézier control points, and physical groups become faces and names of
+/// curves. Edges with one triangle, or between two faces, become constrained edges.
 ///
-/// Ensures     check_arrays of the mesh is empty. No more is promised: structure (M1, M2, M5) and validity are as in
-/// the
-///             file, for `check_structure` and `find_invalid` to judge
+/// Ensures     check_arrays of the mesh is empty. No more is promised: structure (M1, M2, M5) and validity are those
+///             of the file, for `check_structure` and `find_invalid` to judge
 /// Throws      InputError with "line N" (text) or "byte N" (binary) in place of a pointer
 /// Complexity  O(bytes); never allocates more than a small multiple of the file's size
 MshImport read_msh(std::string_view bytes, const MshOptions& options = {});
 
-/// A fault of the mesh in the words of the file it was read from: triangles and points of its place and text become
-/// elements and nodes by their tags.
+/// A fault of the mesh in the words of the file that it was read from: where its place and text have triangles and
+/// points by number, the result has elements and nodes by tag.
 Fault in_msh_words(const MshImport& import, const Fault& fault);
 
 }  // namespace pliant

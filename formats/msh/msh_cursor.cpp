@@ -108,7 +108,7 @@ double MshCursor::text_number(const char* what) {
   skip_space();
   double value = 0;
   const auto [stop, error] = std::from_chars(at_, end_, value);
-  // A number below the least double is as good as nothing.
+  // A number too small for a double counts as 0.
   if (error == std::errc::result_out_of_range) {
     const std::string text(at_, stop);
     value = std::strtod(text.c_str(), nullptr);

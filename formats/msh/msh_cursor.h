@@ -8,40 +8,40 @@
 
 namespace pliant {
 
-/// Where the reader stands. Nothing is read behind the end: every failure throws an InputError that names the line of
-/// a text file or the byte offset in a binary one, and what was expected there.
+/// The reader's position in the file. It never passes the end: every failure throws an InputError that names the line
+/// of a text file, or the byte offset in a binary one, and what was expected there.
 class MshCursor {
  public:
   explicit MshCursor(std::string_view bytes) : begin_(bytes.data()), at_(begin_), end_(begin_ + bytes.size()) {}
 
   bool binary = false;   ///< are numbers of the bulk sections binary?
-  bool swapped = false;  ///< in the other byte order than this machine's?
+  bool swapped = false;  ///< is their byte order the other one than this machine's?
 
   const char* at() const { return at_; }
   std::size_t left() const { return static_cast<std::size_t>(end_ - at_); }
   bool at_end() const { return at_ == end_; }
   void skip_space();
-  /// The rest of the line, without its end; the cursor goes to the next line.
+  /// The rest of the line without its end. The cursor goes to the next line.
   std::string_view line();
   /// Passes the line end that stands before binary data.
   void end_line(const char* after);
-  /// A word up to white space.
+  /// Reads a word up to white space.
   std::string_view word();
-  /// Requires and passes this word; white space before it is skipped.
+  /// Skips white space and passes `word`, which must stand there.
   void expect(std::string_view word, const char* why);
   /// Goes behind the next line that starts with `word`; false if there is none.
   bool skip_behind(std::string_view word);
-  /// Passes `size` bytes of binary data, which start at the returned place.
+  /// Passes binary data, and returns where it starts.
   const char* take(std::size_t count, std::size_t size, const char* what);
-  /// Requires that the rest can hold `count` things of at least `least` bytes each.
+  /// Fails unless the rest of the file can hold `count` things of at least `least` bytes each.
   std::size_t room_for(std::uint64_t count, std::size_t least, const char* what) const;
 
-  // A number as text, white space before it skipped.
+  // Each reads a number as text and skips the white space before it.
   std::int64_t text_integer(const char* what);
   std::int32_t text_int(const char* what);
   std::uint64_t text_size(const char* what);
   double text_number(const char* what);
-  // A number of a bulk section: 4, 8 and 8 bytes, or text.
+  // Each reads a number of a bulk section: 4, 8 and 8 bytes where the file is binary, else text.
   std::int32_t int32(const char* what);
   std::uint64_t size(const char* what);
   double number(const char* what);
@@ -58,7 +58,7 @@ class MshCursor {
   const char* end_;
 };
 
-/// A value of a binary file.
+/// Reads a value of a binary file.
 template <class T, bool swap>
 T load(const char* p) {
   if constexpr (swap) {

@@ -40,7 +40,7 @@ class Tracer {
         follow(e);
         add_curve(chain, false);
       }
-    // What is left are loops. In a mesh they have at least three edges.
+    // The edges that are left form loops. A loop of fewer than three edges cannot be a closed curve.
     for (std::size_t e = 0; e < edges_.size(); ++e)
       if (!done[e]) {
         follow(e);
@@ -56,7 +56,7 @@ class Tracer {
     HalfEdgeId half_edge;
     PointId from, to;
     FaceId left, right;
-    int mark;  ///< of the file's lines: which group or entity; none
+    int mark;  ///< index into marks_: group and entity of the file's line on this edge; or none
   };
   struct Mark {
     int physical, entity;
@@ -70,7 +70,8 @@ class Tracer {
   FaceId face_of(HalfEdgeId h) const { return mesh_.triangle_faces[index(triangle_of(h))]; }
   const PointId* net_of(HalfEdgeId h) const { return &mesh_.triangles[index(triangle_of(h)) * index(layout_.size())]; }
 
-  /// The groups of the file's lines, which are sorted by their ends; of two with the same ends the first counts.
+  /// Collects the groups and entities of the file's lines, sorted by the lines' ends. Where two lines have the same
+  /// ends, the first counts.
   void find_marks() {
     std::map<std::pair<int, int>, int> numbers;
     lines_.reserve(file_.lines.size());
@@ -97,7 +98,8 @@ class Tracer {
     return found->mark;
   }
 
-  /// An edge goes on into the next one where nothing else meets them and both lie on the same thing.
+  /// Links edges into chains: one edge follows another where no third meets them, and both separate the same faces and
+  /// have the same mark.
   void link() {
     struct Meeting {
       int edges = 0;
@@ -130,7 +132,8 @@ class Tracer {
     return place->second;
   }
 
-  /// The breaks of a chain, by chords; equal steps where chords differ too much to tell the breaks apart.
+  /// The breaks of a chain, spaced by chord lengths; equally spaced where chords differ so much that breaks would
+  /// coincide.
   std::vector<double> breaks(const std::vector<std::size_t>& chain) const {
     std::vector<double> at_end{0};
     double least = HUGE_VAL;
@@ -159,8 +162,8 @@ class Tracer {
     }
     if (closed) points.pop_back();
 
-    // Multiplicity p at every break. Closed: basis function i starts at knot i, so control point 0 is the first edge's
-    // second one, and the first edge's start comes last.
+    // Every break has multiplicity p. In a closed curve basis function i starts at knot i, so control point 0 is the
+    // second one of the first edge, and the first edge's start comes last.
     const std::vector<double> at_end = breaks(chain);
     std::vector<double> knots;
     knots.reserve(at_end.size() * index(p) + 2);

@@ -9,9 +9,9 @@
 namespace pliant {
 namespace {
 
-constexpr double same_place = 1e-12;  ///< of the mesh's size, as for z
+constexpr double same_place = 1e-12;  ///< nodes closer than this part of the mesh's size are at one place
 
-/// Vertices of edges that have one triangle, each once.
+/// The vertices of edges with only one triangle, each once.
 std::vector<PointId> outer_vertices(const MeshData& mesh, const std::vector<OpenEdge>& open) {
   const auto size = static_cast<std::size_t>(NetLayout::of(mesh.degree).size());
   std::vector<PointId> vertices;

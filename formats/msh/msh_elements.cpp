@@ -6,7 +6,7 @@
 namespace pliant {
 namespace {
 
-/// Elements that stand together: of one type, on one entity.
+/// A block of the file: elements of one type on one entity.
 struct Block {
   std::int64_t type;
   int entity, physical;
@@ -22,7 +22,7 @@ class ElementSink {
   static bool is_read(const MshElementType& of) { return of.order > 0; }
   void leave_out(std::int64_t type, std::uint64_t count) { file_.left_out[static_cast<std::size_t>(type)] += count; }
 
-  /// `count` elements of this block come now.
+  /// Prepares for `count` elements of this block, which come next.
   void begin(const Block& block, std::size_t count) {
     if (block.of.family != MshElementType::triangle) return;
     const bool continues = !file_.blocks.empty() && file_.blocks.back().order == block.of.order &&
@@ -46,10 +46,11 @@ class ElementSink {
  private:
   const MshCursor& in_;
   MshFile& file_;
-  std::uint64_t triangles_;  ///< of this section and those before it
+  std::uint64_t triangles_;  ///< number of triangles in this section and those before it
 };
 
-/// Reads elements whose tag stands at `at` and whose nodes follow `behind` bytes later, `Tag`s all of them.
+/// Reads elements of a binary file. An element's tag stands at `at` and its nodes `behind` bytes later; all are of type
+/// `Tag`.
 template <class Tag, bool swap>
 void read_binary(const MshCursor& in, MshFile& file, ElementSink& sink, const Block& block, const char* at,
                  std::size_t count, std::size_t behind) {
@@ -86,7 +87,7 @@ void read_binary(const MshCursor& in, MshFile& file, ElementSink& sink, const Bl
              : read_binary<Tag, false>(in, file, sink, block, at, count, behind);
 }
 
-/// Reads the nodes of an element of a text file; its tag is read.
+/// Reads the nodes of an element of a text file, whose tag has been read.
 void read_text(MshCursor& in, MshFile& file, ElementSink& sink, const Block& block, std::uint64_t tag) {
   sink.begin(block, 1);
   const auto next = [&] {
@@ -226,7 +227,7 @@ void read_elements_4(MshCursor& in, MshFile& file, bool is_4_0) {
     if (in.binary) {
       const std::size_t stride = tag_size * (1 + static_cast<std::size_t>(of.nodes));
       const char* at = in.take(static_cast<std::size_t>(here), stride, "elements");
-      // All that is left may be like these; but no more than the file has room for.
+      // Elements of this header may fill the rest of the file, but no more than that.
       if (of.family == MshElementType::triangle && file.triangle_nodes.empty())
         file.triangle_nodes.reserve(
             std::min(static_cast<std::size_t>(count - done + here) * static_cast<std::size_t>(of.nodes),

@@ -23,31 +23,32 @@ inline constexpr int msh_type_count = 141;  ///< one more than the last element 
 struct MshElementType {
   enum Family : char { unknown, point, line, triangle, quadrangle, tetrahedron, hexahedron, prism, pyramid, other };
   Family family = unknown;
-  int nodes = 0;  ///< 0: not known, or different for each element
-  int order = 0;  ///< of a line or triangle with all its nodes; otherwise 0: the type is not read
+  int nodes = 0;  ///< 0 where the number is not known, or differs between elements
+  int order = 0;  ///< the order of a line or triangle with all its nodes; 0 for types that are not read
 };
 
-/// The type of that number; `unknown` for a number that Gmsh does not use.
+/// The type with this number; `unknown` for a number that Gmsh does not use.
 const MshElementType& msh_element_type(std::int64_t type);
-/// "12 quadrangles of 4 nodes (type 3)".
+/// Elements as words: "12 quadrangles of 4 nodes (type 3)".
 std::string describe_left_out(std::int64_t type, std::uint64_t count);
-/// Place in NetLayout of each node of a triangle of this order. Gmsh: corners, edges 12, 23, 31, then the inner nodes
-/// as a triangle of order - 3.
+/// The place in NetLayout of each node of a triangle of this order. Gmsh lists the corners, then the nodes of edges 12,
+/// 23 and 31, and then the inner ones as a triangle of order - 3.
 std::vector<int> msh_net_order(int order);
 
 /// Finds nodes by their tags.
 class MshNodeTags {
  public:
-  /// The next node has this tag.
+  /// Adds the next node, with its tag.
   void add(std::uint64_t tag) { tags_.add(tag); }
   void add(std::uint64_t tag, std::size_t count) { tags_.add(tag, count); }
-  /// All are there, or all of this section. The tag that two nodes have, if any.
+  /// Prepares the search: all nodes, or all of this section, have been added. The result is a tag that two nodes share,
+  /// if there is one.
   const std::uint64_t* prepare();
   std::size_t size() const { return tags_.size(); }
   const TagRuns& all() const { return tags_; }
   std::uint64_t highest() const;
   std::uint64_t tag_of(PointId node) const { return tags_.tag_of(static_cast<std::size_t>(node)); }
-  /// The node with this tag, or none.
+  /// The number of the node with this tag, or none.
   PointId find(std::uint64_t tag) const {
     const std::uint64_t place = tag - lowest_;
     if (is_one_run_) return place < tags_.size() ? static_cast<PointId>(place) : none;
@@ -57,18 +58,18 @@ class MshNodeTags {
 
  private:
   struct Range {
-    std::uint64_t tag, last;  ///< of the first node and of the last
-    std::size_t first;        ///< node
+    std::uint64_t tag, last;  ///< tags of the first node and of the last
+    std::size_t first;        ///< number of the first node
   };
   PointId search(std::uint64_t tag) const;
   TagRuns tags_;
   std::uint64_t lowest_ = 0, twice_ = 0;
   bool is_one_run_ = false;
-  std::vector<PointId> table_;  ///< by tag - lowest_, where the tags are dense
-  std::vector<Range> ranges_;   ///< sorted, where they are sparse
+  std::vector<PointId> table_;  ///< nodes by tag - lowest_, where tags are dense
+  std::vector<Range> ranges_;   ///< sorted ranges, where tags are sparse
 };
 
-/// Triangles that stand together in the file: of one order, on one surface.
+/// Triangles that follow each other in the file, of one order and on one surface.
 struct MshTriangles {
   int order;
   int entity;
@@ -76,13 +77,13 @@ struct MshTriangles {
   std::size_t count;
 };
 
-/// A line element by its ends.
+/// A line element: its ends, group and entity.
 struct MshLine {
   PointId from, to;
   int entity, physical;
 };
 
-/// A geometrical entity: its first physical group (0: none), and whether there are more.
+/// A geometrical entity: its first physical group (0 for none), and whether it has more.
 struct MshEntity {
   int physical = 0;
   bool has_more = false;
@@ -91,20 +92,20 @@ struct MshEntity {
 
 struct MshFile {
   std::vector<Point> nodes;
-  std::vector<double> z;  ///< of each node; empty where all are `plane`
+  std::vector<double> z;  ///< z of each node; empty where all are `plane`
   double plane = 0;
   MshNodeTags tags;
   std::vector<MshTriangles> blocks;
-  std::vector<PointId> triangle_nodes;  ///< of all blocks, in Gmsh's order
+  std::vector<PointId> triangle_nodes;  ///< nodes of the triangles of all blocks, in Gmsh's order
   TagRuns triangle_tags;
   std::vector<MshLine> lines;
-  std::map<std::pair<int, int>, std::string> names;      ///< of physical groups, by dimension and tag
+  std::map<std::pair<int, int>, std::string> names;      ///< names of physical groups, by dimension and tag
   std::map<std::pair<int, int>, MshEntity> entities;     ///< by dimension and tag
-  std::array<std::uint64_t, msh_type_count> left_out{};  ///< how many elements of each type
+  std::array<std::uint64_t, msh_type_count> left_out{};  ///< how many elements of each type are not read
   std::vector<std::string> skipped;                      ///< names of sections that are not read
 };
 
-/// No coordinate may be larger, so that no control point overflows.
+/// The largest coordinate that is read: beyond it a control point could overflow.
 inline constexpr double msh_largest = 1e300;
 
 /// Reads all sections.   Throws InputError

@@ -10,8 +10,8 @@
 namespace pliant {
 namespace {
 
-constexpr std::int32_t taken = -2;   // a corner, inner point, or point of an edge that needs no looking for
-constexpr std::int32_t paired = -3;  // stands for an edge whose two triangles are known
+constexpr std::int32_t taken = -2;   // the point is a corner, an inner point, or one that does not stand for its edge
+constexpr std::int32_t paired = -3;  // the point stands for an edge whose two triangles are known
 
 void count_clockwise(const MeshData& mesh, const PointId* net, std::size_t t, EdgeFindings& findings) {
   const Point& a = mesh.points[index(net[0])];
@@ -19,9 +19,9 @@ void count_clockwise(const MeshData& mesh, const PointId* net, std::size_t t, Ed
     findings.first_clockwise = t;
 }
 
-/// Walks all nets once. The first point inside an edge stands for the edge (of the two at its ends the one with the
-/// lower number, so that both triangles name the same): which half-edge came first is kept there, and the conversion is
-/// done when that one comes.
+/// Walks all nets once. One point inside each edge stands for the edge: of the first and the last the one with the
+/// lower number, so that both triangles agree on it. There the walk keeps which half-edge of the edge it met first; it
+/// converts the edge when it meets that one.
 class EdgeWalk {
  public:
   EdgeWalk(MeshData& mesh, EdgeFindings& findings)
@@ -51,7 +51,7 @@ class EdgeWalk {
           pair(HalfEdgeId{uses_[index(key)]}, h);
           uses_[index(key)] = paired;
         }
-        // Not new in a broken mesh only: an edge that has its first point in common with others.
+        // Only in a broken mesh are these points not new: an edge there shares its first point with others.
         if (fixed_degree != 2)
           for (int k = 1; k < degree; ++k) mark(net[layout_.edge_index(e, k)]);
       }
@@ -62,7 +62,7 @@ class EdgeWalk {
   }
 
  private:
-  /// The points of triangles lie anywhere: those needed soon are asked for, so that they are here when they are.
+  /// Points of a triangle lie anywhere in memory: they are fetched `ahead` triangles before they are needed.
   static constexpr std::size_t ahead = 12;
   void fetch(const PointId* net, int count) const {
     for (int k = 0; k < count; ++k) {
@@ -80,7 +80,7 @@ class EdgeWalk {
 
   template <bool convert>
   void take_edge(const PointId* net, int e, int degree) {
-    // In the direction that does not depend on the triangle.
+    // From the vertex of lower number, so that the direction does not depend on the triangle.
     const bool forward = net[e] < net[(e + 1) % 3];
     const auto point = [&](int k) { return net[layout_.edge_index(e, forward ? k : degree - k)]; };
     std::array<double, 2 * (max_degree + 1)> polygon;
@@ -104,7 +104,7 @@ class EdgeWalk {
       is_new = is_new && uses_[index(net[k])] == unused_point;
       uses_[index(net[k])] = taken;
     }
-    if (!convert || !is_new) return;  // where two triangles share inner points the mesh is broken anyway
+    if (!convert || !is_new) return;  // two triangles that share inner points are a broken mesh anyway
     std::array<double, 2 * net_size(max_degree)> values;
     for (int k = 0; k < layout_.size(); ++k) set(&values[index(2 * k)], mesh_.points[index(net[k])]);
     interpolate_interior(degree, 2, values);
@@ -129,8 +129,8 @@ class EdgeWalk {
   std::vector<std::int32_t>& uses_;
 };
 
-/// Where a file has two edges between the same vertices, with other points inside: they are no boundary (but a fault,
-/// which the checker finds).
+/// Pairs open edges that have the same vertices but other points inside. They are no boundary, but a fault, which the
+/// checker finds.
 void pair_by_ends(const MeshData& mesh, std::vector<OpenEdge>& edges) {
   const std::size_t size = index(net_size(mesh.degree));
   struct Ends {
@@ -203,7 +203,7 @@ std::vector<HalfEdgeId> twins_by_vertices(const MeshData& mesh) {
   }
   std::vector<HalfEdgeId> twins(half_edges, none);
   for (std::size_t v = 0; v + 1 < first.size(); ++v) {
-    // A stable sort of a handful, or of the huge star of a file that means harm.
+    // A stable sort: usually of a handful, but a hostile file may have a huge star.
     const auto begin = entries.begin() + first[v], stop = entries.begin() + first[v + 1];
     std::sort(begin, stop, [](const Entry& a, const Entry& b) {
       return a.high != b.high ? a.high < b.high : a.half_edge < b.half_edge;

@@ -26,7 +26,7 @@ class Elevation {
     size_t triangles = 0;
     for (const MshTriangles& block : file_.blocks) triangles += block.count;
     mesh_.triangles.resize(triangles * index(layout_.size()));
-    // The highest order first: its nodes are control points of the mesh, which the others look for.
+    // Triangles of the highest order come first: their nodes become points of the mesh, which the others look for.
     for (int order = degree_; order >= 1; --order) take_order(order);
     if (torn_ == 0) return {};
     return std::to_string(torn_) + (torn_ == 1 ? " edge is" : " edges are") +
@@ -36,7 +36,7 @@ class Elevation {
   }
 
  private:
-  /// One curve between two vertices: its inner control points, from the vertex of lower number.
+  /// A curve between two vertices: its inner control points, counted from the vertex of lower number.
   struct Curve {
     std::array<PointId, max_degree> inner;
     std::size_t triangle;
@@ -86,7 +86,7 @@ class Elevation {
     for (int k = layout_.first_interior(); k < layout_.size(); ++k) out[k] = add_point(get(raised.data(), k));
   }
 
-  /// Writes the control points of the edge, of the low degree into `values` and raised into `out`.
+  /// Writes the control points of the edge: those of its own degree into `values`, raised ones into `out`.
   void take_edge(std::size_t t, const PointId* net, int e, const NetLayout& low, Net& values, PointId* out) {
     const int order = low.degree();
     const PointId a = net[e], b = net[(e + 1) % 3];
@@ -108,8 +108,8 @@ class Elevation {
     for (int k = 1; k < degree_; ++k) out[place(layout_, k)] = curve.inner[index(k)];
   }
 
-  /// The curve between these vertices with these control points: one that is known, or else a new one. Points of a new
-  /// one that are not of the file are added.
+  /// The curve between these vertices with these control points: a known one or else a new one. A new curve takes nodes
+  /// of the file as points where it has any, and adds the others.
   Curve find_or_add(const std::pair<PointId, PointId>& ends, Curve curve, const Polygon& polygon) {
     const std::uint64_t key = index(ends.first) << 32 | index(ends.second);
     const auto [first, last] = curves_.equal_range(key);
@@ -150,7 +150,7 @@ class Elevation {
   MeshData& mesh_;
   int degree_;
   const NetLayout& layout_;
-  std::vector<Point> nodes_;  ///< as the file has them
+  std::vector<Point> nodes_;  ///< the nodes as they are in the file
   double tolerance_ = 0;
   std::unordered_multimap<std::uint64_t, Curve> curves_;
   std::size_t torn_ = 0;

@@ -14,7 +14,7 @@ class NodeSink {
  public:
   NodeSink(const MshCursor& in, MshFile& file, std::uint64_t count)
       : in_(in), file_(file), before_(file.nodes.size()), wanted_(count) {
-    // No test has so many: the file would have tens of gigabytes.
+    // No test reaches this line: its file would have tens of gigabytes.
     if (count > static_cast<std::uint64_t>(std::numeric_limits<PointId>::max()) - before_)
       in.fail(std::to_string(before_ + count) + " nodes are more than can be numbered");
     file.nodes.reserve(before_ + static_cast<std::size_t>(count));
@@ -25,7 +25,7 @@ class NodeSink {
     file_.tags.add(tag);
   }
   void place(double x, double y, double z, const char* where) {
-    // Also false where one is not a number.
+    // The comparison is false, too, where a coordinate is not a number.
     if (!(std::fabs(x) <= msh_largest && std::fabs(y) <= msh_largest && std::fabs(z) <= msh_largest))
       in_.fail_at(where, "node " + std::to_string(file_.tags.tag_of(static_cast<PointId>(file_.nodes.size()))) +
                              ": expected three finite coordinates up to 1e300");
@@ -33,7 +33,7 @@ class NodeSink {
     file_.nodes.push_back({x, y});
     if (z != file_.plane || !file_.z.empty()) keep_z(z);
   }
-  /// Requires room for `count` more.
+  /// Fails unless there is room for `count` more nodes.
   void block(std::uint64_t count) {
     if (count > wanted_ - taken())
       in_.fail("the section announces " + std::to_string(wanted_) +
@@ -49,7 +49,7 @@ class NodeSink {
   }
 
  private:
-  /// Nodes of this section.
+  /// How many nodes this section has so far.
   std::uint64_t taken() const { return file_.nodes.size() - before_; }
   void keep_z(double z) {
     if (file_.z.empty()) {
@@ -97,7 +97,7 @@ void read_binary_2(MshCursor& in, NodeSink& nodes, std::size_t count) {
   }
 }
 
-/// Version 4.0: each node has its tag, of 4 bytes, before its place.
+/// Reads nodes of version 4.0, each with its tag (4 bytes) before its coordinates.
 void read_block_4_0(MshCursor& in, NodeSink& nodes, std::size_t count, std::size_t parameters) {
   for (std::size_t k = 0; k < count; ++k) {
     const std::int32_t tag = in.int32("a node tag");
@@ -110,7 +110,8 @@ void read_block_4_0(MshCursor& in, NodeSink& nodes, std::size_t count, std::size
   }
 }
 
-/// Version 2, with Mesh.SaveParametric: the entity on which each node lies, and its parameters there.
+/// Reads nodes of version 2 with Mesh.SaveParametric, where the entity of each node and its parameters there follow its
+/// coordinates.
 void read_parametric(MshCursor& in, NodeSink& nodes, std::uint64_t count) {
   for (std::uint64_t k = 0; k < count; ++k) {
     const std::int32_t tag = in.int32("a node number");

@@ -6,7 +6,6 @@
 #include "pliant/geometry/net_layout.h"
 
 namespace pliant {
-namespace {}  // namespace
 
 std::size_t orient_triangles(MeshData& mesh) {
   const NetLayout& layout = NetLayout::of(mesh.degree);
@@ -14,8 +13,8 @@ std::size_t orient_triangles(MeshData& mesh) {
   const auto corner = [&](std::size_t t, int c) { return mesh.triangles[t * size + index(c % 3)]; };
   const std::vector<HalfEdgeId> twins = twins_by_vertices(mesh);
 
-  // +1 or -1 relative to the first triangle of the part; a tangled triangle among others that go round the same way
-  // keeps its direction, since its neighbours say so.
+  // +1 or -1: does a triangle run round as the first one of its part does? The neighbours decide, not the area, so that
+  // a tangled triangle among sound ones keeps its direction.
   std::vector<signed char> sense(triangles, 0);
   std::vector<std::size_t> part;
   std::size_t turned = 0;

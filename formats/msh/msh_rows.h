@@ -12,7 +12,7 @@
 
 namespace pliant {
 
-/// Numbers as text or as bytes of this machine's order, which the header tells.
+/// Writes numbers as text, or as bytes in this machine's order, which the header tells.
 class MshRows {
  public:
   MshRows(std::string& out, bool binary) : out_(out), binary_(binary) {}
@@ -38,7 +38,7 @@ class MshRows {
     starts_row_ = true;
   }
   void line(const std::string& text) { out_ += text + "\n"; }
-  /// Behind binary numbers a section's end stands on a line of its own.
+  /// Starts a new line behind binary numbers, where the section's end must stand on a line of its own.
   void end_section(const char* name) { line((binary_ ? "\n$End" : "$End") + std::string(name)); }
 
  private:

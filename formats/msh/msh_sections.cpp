@@ -54,7 +54,8 @@ class SectionReader {
 
   bool has(std::string_view name) const { return std::find(seen_.begin(), seen_.end(), name) != seen_.end(); }
 
-  /// What is read, in turn where it comes more than once; and what must have come before it.
+  /// Begins a section that is read: checks that the header and the section `needed` came before it, and that there are
+  /// not too many of its kind.
   void begin(std::string_view name, const char* start, std::string_view needed = {}) {
     const std::string text(name);
     if (version_ == 0) in_.fail_at(start, "expected " + std::string(msh_magic) + " before $" + text);
@@ -121,7 +122,7 @@ class SectionReader {
     if (!in_.skip_behind("$End" + std::string(name)) && version_ == 0) fail_without_header(start);
     if (in_.at() == behind)
       in_.fail_at(start, "the section $" + std::string(name) + " does not end: there is no $End" + std::string(name));
-    // Nothing that a mesh is made of.
+    // These sections have nothing that a mesh is made of.
     for (const char* dull : {"Comments", "Comment", "Periodic", "GhostElements", "Parametrizations"})
       if (name == dull) return;
     if (std::find(file_.skipped.begin(), file_.skipped.end(), name) == file_.skipped.end())
@@ -185,9 +186,9 @@ class SectionReader {
 
   MshCursor in_;
   MshFile file_;
-  static constexpr int most_of_a_kind = 64;  // after each $Nodes all tags are sorted
+  static constexpr int most_of_a_kind = 64;  // most sections of one name: after each $Nodes all tags are sorted
   int version_ = 0;                          ///< 0: not known yet; 1, 20, 40, 41
-  std::vector<std::string_view> seen_;       ///< sections that were read
+  std::vector<std::string_view> seen_;       ///< names of the sections that were read
 };
 
 }  // namespace

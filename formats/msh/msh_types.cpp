@@ -10,7 +10,7 @@ namespace {
 
 using Family = MshElementType::Family;
 
-/// By number. The 9-node quadrangle of type 10 comes as {quadrangle, 9}.
+/// The table of types by their numbers; type 10, the quadrangle of 9 nodes, is {quadrangle, 9}.
 std::array<MshElementType, msh_type_count> make_types() {
   std::array<MshElementType, msh_type_count> types;
   const auto set = [&types](Family family, int first, std::initializer_list<int> node_counts) {
@@ -62,7 +62,8 @@ std::array<MshElementType, msh_type_count> make_types() {
   set(Family::triangle, 138, {4});
   set(Family::tetrahedron, 139, {5});
   set(Family::other, 140, {4});
-  // What is read: all orders for which a mesh has a degree. Type 24 has the 15 nodes of order 5 on the edges only.
+  // The types that are read: all orders that a mesh may have as its degree. Type 24, of order 5, has its 15 nodes on
+  // the edges only, so it is not among them.
   for (const auto& [number, order] :
        {std::pair(1, 1),  std::pair(8, 2),  std::pair(26, 3), std::pair(27, 4), std::pair(28, 5),
         std::pair(62, 6), std::pair(63, 7), std::pair(64, 8), std::pair(65, 9), std::pair(66, 10),
@@ -94,7 +95,7 @@ std::string describe_left_out(std::int64_t type, std::uint64_t count) {
 std::vector<int> msh_net_order(int order) {
   const NetLayout& layout = NetLayout::of(order);
   std::vector<int> net;
-  // The triangle of order `inner` inside: its exponents are at least `depth`.
+  // The inner nodes form a triangle of order `inner`; all their exponents are at least `depth`.
   for (int inner = order, depth = 0; inner >= 0; inner -= 3, ++depth) {
     if (inner == 0) {
       net.push_back(layout.index(depth, depth));

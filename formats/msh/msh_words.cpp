@@ -8,12 +8,12 @@
 namespace pliant {
 namespace {
 
-/// Goes through a text and writes it again with other numbers.
+/// Goes through a text and writes it with other numbers: tags for indices.
 class Rewriter {
  public:
   explicit Rewriter(std::string_view text) : rest_(text) {}
 
-  /// Passes the word and the number behind it, if they stand here.
+  /// Passes `word` and the number behind it if both stand here.
   std::optional<std::size_t> number_behind(std::string_view word) {
     if (rest_.substr(0, word.size()) != word) return std::nullopt;
     std::size_t value = 0;

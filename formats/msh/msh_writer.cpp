@@ -22,7 +22,7 @@ int type_of(MshElementType::Family family, int order) {
   return type;
 }
 
-/// Gmsh ends a name at a quote and at the end of the line, and reads no more than this.
+/// The longest name in bytes: Gmsh reads no more. It also ends a name at a quote and at the end of the line.
 std::string quoted(std::string name) {
   constexpr std::size_t longest = 127;
   for (char& c : name) {
@@ -31,7 +31,7 @@ std::string quoted(std::string name) {
   }
   if (name.size() > longest) {
     std::size_t end = longest;
-    while (end > 0 && (static_cast<unsigned char>(name[end]) & 0xc0) == 0x80) --end;  // no half character
+    while (end > 0 && (static_cast<unsigned char>(name[end]) & 0xc0) == 0x80) --end;  // leave no half character
     name.resize(end);
   }
   return '"' + name + '"';
@@ -71,18 +71,18 @@ class Writer {
   }
 
  private:
-  /// A geometrical entity of a dimension with what belongs to it.
+  /// A geometrical entity with its elements, nodes and boundary.
   struct Entity {
     int tag = 0;
     std::int32_t group = 0;
     std::vector<std::int32_t> parts;  ///< constrained edges of a curve by span, or triangles of a face
-    std::vector<PointId> nodes;       ///< in no entity of lower dimension
-    std::vector<int> bounds;          ///< tags of its boundary, signed
+    std::vector<PointId> nodes;       ///< nodes on it that are in no entity of lower dimension
+    std::vector<int> bounds;          ///< tags of the entities that bound it, with signs
   };
 
   const PointId* net(std::int32_t t) const { return &mesh_.triangles[index(t) * index(layout_.size())]; }
 
-  /// The value of each triangle at the lattice; of an edge's inner nodes by the edge alone, once.
+  /// Computes the nodes: each triangle's values at its lattice. Nodes inside an edge come from the edge alone, once.
   void place_nodes() {
     const int p = mesh_.degree;
     nodes_ = mesh_.points;
@@ -126,7 +126,7 @@ class Writer {
       faces_[index(mesh_.triangle_faces[t])].parts.push_back(static_cast<std::int32_t>(t));
   }
 
-  /// Each node belongs to the entity of the lowest dimension that it lies on.
+  /// Gives each node to the entity of the lowest dimension that it lies on.
   void own_nodes() {
     std::vector<Entity*> owners(nodes_.size(), nullptr);
     for (Entity& face : faces_)
@@ -154,7 +154,7 @@ class Writer {
     keep_used(faces_);
   }
 
-  /// A group for each face; curves of one name share theirs.
+  /// Makes a physical group for each face and for each name of curves, which curves of one name share.
   void name_groups() {
     for (Entity& face : faces_) {
       face.group = face.tag;
@@ -253,7 +253,7 @@ class Writer {
     rows_.end_section("Nodes");
   }
 
-  /// Calls use(dimension, entity, type) for all that have elements.
+  /// Calls use(dimension, entity, type) for each entity that has elements.
   template <class Use>
   void each_block(Use&& use) const {
     for (const std::int32_t dimension : {1, 2})
@@ -320,7 +320,7 @@ class Writer {
   const std::vector<int> order_ = msh_net_order(mesh_.degree);
   std::vector<Point> nodes_;
   std::vector<Entity> points_, curves_, faces_;
-  std::map<std::pair<int, std::int32_t>, std::string> names_;  // of physical groups, by dimension and tag
+  std::map<std::pair<int, std::int32_t>, std::string> names_;  // names of physical groups, by dimension and tag
 };
 
 }  // namespace

@@ -12,12 +12,12 @@ struct MshWriteOptions {
   bool binary = false;
 };
 
-/// The geometry of a mesh: control points become Lagrange nodes; faces become surfaces and curves curves, each in a
-/// physical group of its name; ends of open curves become points. Appended to `out`; read back (`read_msh`) it is the
-/// same mesh, to the rounding of its nodes, but for the numbering: node tag - 1 is the point, element tag - 1 the
-/// triangle. Time, fields, criteria and knots have no place there.
+/// Appends the geometry of a mesh to `out`. Control points become Lagrange nodes; faces become surfaces and curves
+/// become curves, each in a physical group of its name; ends of open curves become points. Point p is node p + 1, and
+/// triangle t is element t + 1. Time, fields, criteria and knots have no place in the format. `read_msh` reads the same
+/// mesh back, to the rounding of its nodes, but for the numbering.
 ///
-/// Requires    check_structure(mesh) to be empty; tangled elements may be among them
+/// Requires    check_structure(mesh) to be empty; elements may be tangled
 /// Complexity  O(mesh)
 void write_msh(const MeshData& mesh, const MshWriteOptions& options, std::string& out);
 

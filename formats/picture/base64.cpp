@@ -1,4 +1,4 @@
-// formats/picture/base64.cpp: encodes numbers by bytes, three of which become four letters.
+// formats/picture/base64.cpp: turns three bytes of numbers at a time into four letters.
 #include "formats/picture/base64.h"
 
 #include <bit>

@@ -7,9 +7,9 @@
 
 namespace pliant {
 
-/// Appends the bytes in the alphabet of RFC 4648, padded.
+/// Appends the bytes in the alphabet of RFC 4648, with padding.
 void append_base64(std::span<const unsigned char> bytes, std::string& out);
-/// Appends the numbers, each as its 8, 4 or 1 bytes, the least significant byte first.
+/// Appends the numbers, each as 8, 4 or 1 bytes with the least significant byte first.
 void append_base64(std::span<const double> numbers, std::string& out);
 void append_base64(std::span<const std::int32_t> numbers, std::string& out);
 

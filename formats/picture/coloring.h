@@ -15,7 +15,7 @@ namespace pliant {
 /// A colour: red, green, blue in sRGB, each in [0, 1].
 using Rgb = std::array<double, 3>;
 
-/// "#rrggbb".
+/// The colour as "#rrggbb".
 std::string hex(const Rgb& color);
 /// The same colour in linear light, as glTF wants it.
 Rgb linear_light(const Rgb& color);
@@ -29,14 +29,14 @@ struct Colormap {
   /// The colour at s, which is first limited to [0, 1].
   Rgb at(double s) const;
 };
-/// viridis, magma, plasma, blue-red.
+/// The names of the maps: viridis, magma, plasma, blue-red.
 std::span<const Colormap> colormaps();
-/// Null if there is none of that name.
+/// The map of this name, or null if there is none.
 const Colormap* find_colormap(std::string_view name);
 
 struct ValueRange {
   double low = HUGE_VAL, high = -HUGE_VAL;
-  void extend(double value);  ///< leaves out what is not finite
+  void extend(double value);  ///< by a value, unless it is not finite
   bool is_empty() const { return !(low <= high); }
   /// Where the value lies: 0 at low, 1 at high, one half everywhere if they are equal.
   double place(double value) const;
@@ -48,36 +48,36 @@ struct ColorBy {
   Kind kind = Kind::metric;
   std::string name = "shape";  ///< of the metric or field
 };
-/// "none", "face", "field:NAME[.COMPONENT]", or the name of a metric.
-/// Throws      std::invalid_argument, with the names there are
+/// Reads "none", "face", "field:NAME[.COMPONENT]" or the name of a metric.
+/// Throws      std::invalid_argument, with the names that are known
 ColorBy parse_color_by(const std::string& text);
 
-/// The number that colours a mesh: one for each element (a metric: the worst of the element), or a function on it
-/// (a field: one component counted from 0, or the Euclidean length of several).
+/// The numbers that colour a mesh: one for each element (a metric, at its worst in the element), or a function on each
+/// element (a field: one component counted from 0, or the Euclidean length of several).
 class ElementValues {
  public:
   /// Keeps a reference to the mesh.
-  /// Throws      std::invalid_argument where the mesh has no such field or component, with what it has
+  /// Throws      std::invalid_argument where the mesh has no such field or component; the text names those it has
   ElementValues(const MeshData& mesh, const ColorBy& by);
 
   bool exist() const { return is_field() || !flat_.empty(); }
   bool is_field() const { return field_ != nullptr; }
-  /// True if a control point may have another value on another face.
+  /// True if a control point may have different values on different faces.
   bool depends_on_face() const { return field_ != nullptr && field_->by_face; }
-  /// The element's number; NaN where there is none (distortion of an element without area).
+  /// The element's number; NaN if it has none (the distortion of an element without area).
   double of_element(TriangleId t) const { return flat_[static_cast<std::size_t>(t)]; }
-  /// The function's value; the element's number if it is no function.
+  /// The function's value at a point of the element; for a metric the element's number.
   double at(TriangleId t, const Barycentric& xi) const;
-  /// By how much the function departs, at the element's edge midpoints and its middle, from the linear function of the
-  /// plane that agrees with it at the corners.
+  /// How far the function is from the linear function of the plane that agrees with it at the element's corners: the
+  /// greatest difference at the edges' midpoints and the middle.
   double departure(TriangleId t) const;
-  /// Greatest less smallest value at the element's corners and edge midpoints.
+  /// The difference of the greatest and the least value at the element's corners and edge midpoints.
   double spread(TriangleId t) const;
-  /// The range over all elements but those to leave out (in ascending order): true for metrics, and that of the values
-  /// on a lattice of each element for fields. Elements that are not valid are left out as their numbers would drown the
-  /// others.
+  /// The range over all elements but those of `without` (in ascending order). It is exact for metrics, and that of the
+  /// values on a lattice of each element for fields. Callers leave out elements that are not valid, whose numbers would
+  /// make the others indistinguishable.
   ValueRange range(std::span<const TriangleId> without = {}) const;
-  /// For a legend: "least shape of the element", "field u, component 1".
+  /// The title of a legend, such as "least shape of the element" or "field u, component 1".
   const std::string& title() const { return title_; }
 
  private:

@@ -24,9 +24,11 @@ namespace {
 
 using tinygltf::Value;
 
-constexpr double color_tolerance = 0.01;  // of the frame's range: how far a field's colour may be off
-constexpr double color_spread = 0.15;     // of it: beyond that, colours mixed from a piece's corners are not the map's
-constexpr double layer = 5e-4;            // height between fill, lines and outlines, as a part of the mesh's size
+constexpr double color_tolerance = 0.01;  // how far a field's colour may be off, as a part of the frame's range
+constexpr double color_spread = 0.15;     // how much a piece's corners may differ, as a part of the frame's range:
+                                          // viewers mix their colours, and leave the map if these are far apart
+constexpr double layer = 5e-4;            // height of lines above the fill, and of outlines above lines, as a part of
+                                          // the mesh's size
 constexpr int circle_corners = 128;
 constexpr Rgb ink{0.078, 0.137, 0.18};
 constexpr Rgb plain{0.86, 0.89, 0.92};
@@ -85,17 +87,17 @@ struct GltfWriter::State {
   GltfOptions options;
   GltfBuffer buffer;
   tinygltf::Model model;
-  std::vector<double> values;  // of every coloured vertex of all frames; for faces, the face
+  std::vector<double> values;  // the values of all coloured vertices of all frames; their faces if these colour
   ValueRange range;
   std::string title;
-  std::vector<int> frames;  // nodes
+  std::vector<int> frames;  // the node of each frame
   std::vector<int> circle_nodes;
   GltfPlace place;
-  double size = 0;  // of the first mesh, in the place's unit
+  double size = 0;  // size of the first mesh, in the place's unit
   int fill = -1, lines = -1, outline = -1, invalid = -1, obstacle = -1;
 };
 
-/// Keeps the values: what colours they are is known when the range of all frames is.
+/// Keeps the values. Their colours are known only when the range of all frames is.
 int GltfWriter::State::add_colors(const Tessellation& pieces) {
   values.insert(values.end(), pieces.values.begin(), pieces.values.end());
   if (options.color.kind == ColorBy::Kind::face)
@@ -136,7 +138,7 @@ int GltfWriter::State::add_node(const char* name, const std::vector<tinygltf::Pr
   return static_cast<int>(model.nodes.size()) - 1;
 }
 
-/// A band along each constrained edge, as lines of one pixel are all that most viewers draw.
+/// Adds a band along each constrained edge: most viewers draw lines no wider than a pixel.
 void GltfWriter::State::add_outlines(const MeshData& mesh, std::vector<Point>& vertices,
                                      std::vector<std::uint32_t>& triangles) const {
   const double half = (options.outline_width ? *options.outline_width / place.scale : size / 400) / 2;
@@ -187,7 +189,7 @@ void GltfWriter::State::color_vertices() {
   }
 }
 
-/// The frames' nodes, each shown (scale 1) during its frame and hidden (scale 0) otherwise.
+/// Animates the frames' nodes: each is shown (scale 1) during its frame and hidden (scale 0) otherwise.
 void GltfWriter::State::animate() {
   const auto key = [this](std::size_t i) { return static_cast<float>(double(i) / options.frames_per_second); };
   const std::size_t count = frames.size();
@@ -198,7 +200,7 @@ void GltfWriter::State::animate() {
   for (std::size_t i = 0; i < count; ++i) {
     tinygltf::AnimationSampler sampler;
     sampler.interpolation = "STEP";
-    // The last frame's second key at the end gives it its time on the screen.
+    // The last frame has a second key at its end, which gives it its time on the screen.
     sampler.input = i == 0 ? buffer.add_keys({0, key(1)}) : buffer.add_keys({0, key(i), key(i + 1)});
     sampler.output = i == 0 ? first : i + 1 == count ? last : middle;
     tinygltf::AnimationChannel channel;
@@ -228,7 +230,7 @@ void GltfWriter::add(const MeshData& mesh) {
     for (Point& p : scaled.points) p = p / s.place.scale;
   }
   const MeshData& drawn = s.place.scale != 1 ? scaled : mesh;
-  // Lengths and areas are those of the mesh; whatever else colours it is the same in any unit.
+  // Lengths and areas that colour are those of the mesh itself; other numbers are the same in any unit.
   const ElementValues values(has_unit(options.color) ? mesh : drawn, options.color);
   const InvalidElements bad = find_invalid(drawn);
   const ValueRange range = values.range(bad.invalid);

@@ -13,10 +13,10 @@ namespace pliant {
 struct GltfOptions {
   ColorBy color;
   const Colormap* map = colormaps().data();
-  std::optional<ValueRange> range;      ///< otherwise that of all frames
-  int subdivide = 0;                    ///< pieces of every edge; 0: as many as curvature and colours take
-  double tolerance = 2e-4;              ///< of curved edges, as a part of the size of the first mesh
-  std::optional<double> outline_width;  ///< of constrained edges, in mesh units; otherwise 1/400 of that size
+  std::optional<ValueRange> range;      ///< the values of the first and last colour; by default the range of all frames
+  int subdivide = 0;                    ///< pieces of every edge; 0: as many as curvature and colours need
+  double tolerance = 2e-4;              ///< how far chords may be from curved edges, as a part of the first mesh's size
+  std::optional<double> outline_width;  ///< of constrained edges; by default 1/400 of the first mesh's size
   double frames_per_second = 25;
   bool edges = true;
   bool quantize = false;  ///< positions in 16 bits (KHR_mesh_quantization)
@@ -25,18 +25,18 @@ struct GltfOptions {
 
 /// Collects the frames of a series; the meshes themselves are not kept.
 ///
-/// The scene has a node that puts the centre of the first mesh's box back in place, and back to its size where that is
-/// none that viewers are made for (vertices are single precision, relative to it); below it a node a frame, which the
-/// animation scales to 1 during its frame and to 0 otherwise.
+/// Vertices are in single precision and relative to the centre of the first mesh's box. The scene's top node moves them
+/// back to their place, and scales them where the mesh has a size that viewers are not made for. Below it is one node
+/// for each frame, which the animation scales to 1 during its frame and to 0 otherwise.
 class GltfWriter {
  public:
   explicit GltfWriter(GltfOptions options);
   ~GltfWriter();
   /// Requires    M1 and M2 (check_structure); the mesh may be tangled
-  /// Throws      std::invalid_argument where the mesh has no such field (ElementValues); InputError for what single
-  ///             precision cannot show beside the first mesh
+  /// Throws      std::invalid_argument where the mesh has no such field (ElementValues); InputError for frames too far
+  ///             from the first mesh, too large or too small beside it for single precision
   void add(const MeshData& mesh);
-  /// The file: binary (.glb), or JSON with its buffer inside (.gltf). Once, after at least one frame.
+  /// The file: binary (.glb), or JSON with its buffer inside (.gltf). To be called once, after at least one frame.
   std::string finish(bool binary);
 
  private:

@@ -48,7 +48,7 @@ int GltfBuffer::add_positions(const std::vector<Point>& points, const Box& box) 
     if (quantize_) {
       put(0, step(p.x, box.low.x, box.high.x));
       put(1, step(p.y, box.low.y, box.high.y));
-      // The third coordinate, and two bytes for alignment.
+      // The third coordinate is 0; two more bytes align the next vertex.
       append(out, std::uint32_t{0});
     } else {
       put(0, static_cast<float>(p.x));
@@ -69,7 +69,7 @@ int GltfBuffer::add_positions(const std::vector<Point>& points, const Box& box) 
 int GltfBuffer::add_indices(const std::vector<std::uint32_t>& indices, std::size_t vertices) {
   Bytes& out = bytes_[indices_view];
   const std::size_t offset = out.size();
-  // The greatest number of a type means "restart" and may not be an index.
+  // The greatest number of an index type means "restart", and must not be used as an index.
   const bool is_short = vertices <= std::numeric_limits<std::uint16_t>::max();
   for (const std::uint32_t i : indices)
     if (is_short)

@@ -13,23 +13,24 @@ class Model;
 
 namespace pliant {
 
-/// Arrays are appended in any order, each an accessor whose index is returned; arrays of one kind share a buffer view.
+/// Collects arrays in any order. Each becomes an accessor, whose index is returned; arrays of one kind share a buffer
+/// view.
 class GltfBuffer {
  public:
-  /// Quantized positions are in 16 bits, as parts of a box; others are single precision.
+  /// With `quantize` positions are stored in 16 bits, as parts of a box; otherwise in single precision.
   explicit GltfBuffer(bool quantize);
 
   int add_positions(const std::vector<Point>& points, const Box& box);
-  /// Indices of that many vertices, in 16 bits where these suffice.
+  /// Adds indices of `vertices` many vertices, in 16 bits where these suffice.
   int add_indices(const std::vector<std::uint32_t>& indices, std::size_t vertices);
-  /// Keeps a place for that many colours, which come later, all in one order.
+  /// Reserves a place for `count` colours, which `append_color` adds later, in the order of the reservations.
   int reserve_colors(std::size_t count);
-  /// The next colour, in linear light.
+  /// Adds the next colour, in linear light.
   void append_color(const Rgb& linear);
   int add_keys(const std::vector<float>& keys);      ///< times, ascending
   int add_scales(const std::vector<float>& scales);  ///< each for all three axes
 
-  /// Gives the model its buffer, the views that are used, and the accessors. Once.
+  /// Gives the model its buffer, the views that are used, and the accessors. To be called once.
   void move_to(tinygltf::Model& model);
 
  private:

@@ -14,7 +14,7 @@ GltfPlace::GltfPlace(const Box& box) {
   const double extent = std::max(box.high.x - box.low.x, box.high.y - box.low.y);
   if (!std::isfinite(extent))
     throw InputError("/points", "the mesh is larger than the largest double, and cannot be drawn to scale");
-  constexpr double comfortable = 1e6;  // sizes up to it, and down to its inverse, are what viewers are made for
+  constexpr double comfortable = 1e6;  // viewers are made for sizes up to this and down to its inverse
   if (extent > comfortable || (extent > 0 && extent < 1 / comfortable)) scale = std::exp2(std::ilogb(extent));
   const Point low = box.low / scale, high = box.high / scale;
   size = distance(low, high);
@@ -48,7 +48,7 @@ MeshData moved(const MeshData& mesh, const Point& origin) {
 }
 
 void require_drawable(const Box& box) {
-  constexpr double most = 1e30;  // beyond it viewers' products of lengths overflow
+  constexpr double most = 1e30;  // products of longer lengths overflow in viewers
   for (const Point& corner : {box.low, box.high})
     if (!(std::abs(corner.x) <= most && std::abs(corner.y) <= most))
       throw InputError("/points",

@@ -9,19 +9,21 @@
 namespace pliant {
 
 struct MeshEdge {
-  std::vector<PointId> points;      ///< degree + 1
-  std::array<TriangleId, 2> sides;  ///< the second is none at the outer boundary
-  std::int32_t constrained = none;  ///< index into constrained_edges
+  std::vector<PointId> points;      ///< degree + 1 control points
+  std::array<TriangleId, 2> sides;  ///< its triangles; the second is none at the outer boundary
+  std::int32_t constrained = none;  ///< index into constrained_edges, or none
 };
 
 struct MeshEdges {
   std::vector<MeshEdge> edges;             ///< in the order in which the triangles meet them
-  std::vector<std::int32_t> of_half_edge;  ///< edge of half-edge 3t + e
+  std::vector<std::int32_t> of_half_edge;  ///< index into `edges` for each half-edge 3t + e
   /// True if the half-edge runs from the edge's first point to its last.
   bool runs_forward(const MeshData& mesh, HalfEdgeId h) const;
 };
 
-/// Requires M1 and M2 (check_structure).   Complexity O(mesh)
+/// Finds the edges of a mesh.
+/// Requires    M1 and M2 (check_structure)
+/// Complexity  O(mesh)
 MeshEdges find_edges(const MeshData& mesh);
 
 /// The positions of control points.
@@ -31,7 +33,7 @@ std::vector<Point> element_net(const MeshData& mesh, TriangleId t);
 /// The box of all control points.
 Box bounding_box(const MeshData& mesh);
 
-/// How far an edge may be from the straight line between its ends: a bound, exact for degree 2.
+/// Upper bound of an edge's distance from the straight line between its ends, at equal parameters; exact for degree 2.
 double bulge(const std::vector<Point>& polygon);
 
 }  // namespace pliant

@@ -20,7 +20,7 @@ namespace {
 
 constexpr double margin = 0.03;  // around the control points, as a part of the larger side
 constexpr int max_pieces = 8;
-constexpr double color_tolerance = 0.01;  // of the range: by how much a field's colour may be off inside an element
+constexpr double color_tolerance = 0.01;  // how far a field's colour may be off in an element, as a part of the range
 constexpr std::string_view ink = "#14232e";
 
 Box shown_box(const MeshData& mesh, const SvgOptions& options) {
@@ -33,13 +33,13 @@ Box shown_box(const MeshData& mesh, const SvgOptions& options) {
   }
   if (box.size() == 0) box = {box.low - Vector{0.5, 0.5}, box.high + Vector{0.5, 0.5}};
   const double larger = std::max(box.high.x - box.low.x, box.high.y - box.low.y);
-  // A picture of a straight line still has two dimensions.
+  // Even a picture of a straight line needs some height and width.
   const auto grow = [larger](double side) { return margin * larger + std::max(0.0, 0.05 * larger - side) / 2; };
   const Vector by{grow(box.high.x - box.low.x), grow(box.high.y - box.low.y)};
   return {box.low - by, box.high + by};
 }
 
-/// One mesh's picture in the making.
+/// The picture of one mesh while it is being written.
 class Drawing {
  public:
   Drawing(const MeshData& mesh, const SvgOptions& options, const ElementValues& values, const ValueRange& range,
@@ -80,13 +80,13 @@ class Drawing {
   const NetLayout& layout_;
   MeshEdges edges_;
   InvalidElements bad_;
-  double pixel_;  // in mesh units
+  double pixel_;  // size of a pixel in mesh units
   std::string& out_;
   SvgPath path_;
   int gradients_ = 0;
 };
 
-/// The closed boundary of an element as path data.
+/// Writes the closed boundary of an element as path data.
 void Drawing::outline(const std::vector<Point>& net) {
   path_.move_to(net[0]);
   std::vector<Point> polygon(static_cast<std::size_t>(mesh_.degree) + 1);
@@ -114,14 +114,14 @@ int Drawing::pieces(TriangleId t) const {
   if (options_.subdivide > 0) return options_.subdivide;
   const double allowed = color_tolerance * (range_.high - range_.low);
   const double departure = values_.departure(t);
-  // The departure from a plane falls with the square of the piece's size.
+  // The departure from a linear function falls with the square of the piece's size.
   int n = 1;
   while (n < max_pieces && departure > allowed * n * n) n *= 2;
   return n;
 }
 
-/// Draws a piece in the colours of the linear function of the plane that has its values at the corners: exact on
-/// straight edges, so neighbours agree there.
+/// Draws a piece in the colours of the linear function of the plane that has the given values at its corners. On a
+/// straight edge both neighbours have the same colours.
 void Drawing::shaded_piece(const std::vector<Point>& net, const std::array<double, 3>& values, double middle) {
   const double area = triangle_area(net[0], net[1], net[2]);
   const double longest = std::max({distance(net[0], net[1]), distance(net[1], net[2]), distance(net[2], net[0])});
@@ -210,7 +210,7 @@ void Drawing::marks() {
   mark(bad_.invalid, invalid_color, "invalid");
 }
 
-/// Lines between small elements are thinner, or a fine mesh would be all lines.
+/// The width of lines between elements: thinner where elements are small, or a fine mesh would be nothing but lines.
 double Drawing::fine_width() const {
   double sum = 0;
   for (const MeshEdge& edge : edges_.edges)
@@ -274,7 +274,7 @@ void Drawing::control_net() {
   width(0.5 * fine_width() + 0.2).text(" stroke-opacity=\"0.8\" d=\"");
   for (const auto& [p, q] : legs)
     path_.move_to(mesh_.points[static_cast<std::size_t>(p)]).text("L").point(mesh_.points[static_cast<std::size_t>(q)]);
-  // A line of no length with round ends is a dot.
+  // A line without length but with round ends is drawn as a dot.
   path_.text("\"/>\n<path");
   width(2.5 * fine_width() + 1).text(" d=\"");
   for (const PointId p : points) path_.move_to(mesh_.points[static_cast<std::size_t>(p)]).text("h0");

@@ -10,14 +10,14 @@ namespace pliant {
 namespace {
 
 constexpr double bar_left = 18, bar_width = 14, row = 22;
-constexpr double letter = 6.6;  // a generous mean width at 12 pixels
+constexpr double letter = 6.6;  // width in pixels allowed for a letter of 12 pixels: generous on average
 
 void text_at(std::string& out, double x, double y, std::string_view attributes, std::string_view text) {
   out += "<text x=\"" + short_number(x) + "\" y=\"" + short_number(y) + "\"";
   out.append(attributes).append(">").append(escape_xml(text)).append("</text>\n");
 }
 
-/// Time and counts, at the top; the height they take.
+/// Writes time and counts at the top. Returns the height that they take.
 double heading(const Legend& legend, std::string& out) {
   double y = 24;
   text_at(out, bar_left, y, " font-weight=\"600\" fill=\"#14232e\"", "t = " + short_number(legend.mesh.time));

@@ -6,7 +6,7 @@
 
 namespace pliant {
 
-inline constexpr double min_legend_height = 200;  // pixels
+inline constexpr double min_legend_height = 200;  // in pixels
 
 struct Legend {
   const MeshData& mesh;
@@ -17,11 +17,11 @@ struct Legend {
   std::size_t invalid, degenerate;
 };
 
-/// Width of the column in pixels: names of faces need more than a bar.
+/// Width of the column in pixels. Names of faces need more than a colour bar.
 double legend_width(const MeshData& mesh, ColorBy::Kind kind);
-/// Appends the column with its left edge at `left`, for a picture of that height.
+/// Appends the column, its left edge at `left`, for a picture `height` pixels high.
 void write_legend(const Legend& legend, double left, double height, std::string& out);
-/// Appends the stops of a gradient.
+/// Appends the stops of a gradient with the map's colours.
 void gradient_stops(const Colormap& map, std::string& out);
 
 }  // namespace pliant

@@ -19,7 +19,7 @@ std::vector<double> coordinates(const std::vector<Point>& polygon) {
   return rows;
 }
 
-/// The cubic with the polygon's ends and end derivatives.
+/// The cubic that has the ends and the end derivatives of the curve with this control polygon.
 std::vector<double> hermite_cubic(const std::vector<double>& polygon) {
   const std::size_t n = polygon.size();
   const double pull = double(n / 2 - 1) / 3;
@@ -32,7 +32,8 @@ std::vector<double> hermite_cubic(const std::vector<double>& polygon) {
   return cubic;
 }
 
-/// A bound of the distance of two curves at equal parameters: that of their control points in the same degree.
+/// Upper bound of the distance of two curves at equal parameters: the greatest distance of their control points in the
+/// same degree.
 double distance_bound(const std::vector<double>& polygon, std::vector<double> lower) {
   while (lower.size() < polygon.size()) {
     std::vector<double> raised(lower.size() + 2);
@@ -49,12 +50,12 @@ double distance_bound(const std::vector<double>& polygon, std::vector<double> lo
 
 SvgPath::SvgPath(std::string& out, double size, double tolerance, double resolution)
     : out_(out), tolerance_(tolerance), decimals_(-1) {
-  // Outside of this range decimal fractions would be long, and renderers' own numbers fail anyway.
+  // Outside of this range decimal fractions would be long, and renderers fail anyway.
   if (size > 1e-6 && size < 1e7)
     decimals_ = std::max(0, static_cast<int>(std::ceil(-std::log10(resolution)) - std::floor(std::log10(size))));
 }
 
-/// Within what is rounded away the curve is its chord, evenly run.
+/// Is the curve its chord, at even speed, up to the rounding of numbers?
 bool SvgPath::is_straight(const std::vector<Point>& polygon) const {
   if (decimals_ < 0) return false;
   const double half = 0.5 * std::pow(10, -decimals_), p = static_cast<double>(polygon.size() - 1);

@@ -8,21 +8,21 @@
 
 namespace pliant {
 
-/// Appends numbers and path segments of one drawing.
+/// Appends the numbers and path segments of one drawing to a text.
 class SvgPath {
  public:
-  /// `size` is the drawing's; numbers are rounded to `resolution` of it (to the next lower power of ten), and curves of
-  /// degree above 3 are drawn within `tolerance`, a length.
+  /// Numbers are rounded to `resolution` times `size`, the size of the drawing (more exactly, to the next lower power
+  /// of ten). Curves of degree above 3 are drawn within `tolerance`, a length.
   SvgPath(std::string& out, double size, double tolerance, double resolution = 1e-7);
 
   SvgPath& text(std::string_view words) { return out_ += words, *this; }
   SvgPath& number(double value);
-  /// The point's x and -y, with a space between.
+  /// Appends the point's x and -y with a space between.
   SvgPath& point(const Point& p);
   SvgPath& move_to(const Point& p);
-  /// A Bézier curve from its first control point, where the path stands: L for those as good as straight, Q or C for
-  /// degrees 2 and 3. From degree 4 on it is halved until the cubics with its ends and end tangents are within the
-  /// tolerance: a bound, from the difference of the control points in the curve's own degree.
+  /// Appends a Bézier curve from its first control point, where the path is now: as L where it is straight up to the
+  /// rounding, as Q or C for degrees 2 and 3. From degree 4 on the curve is halved until the cubics with the ends and
+  /// end derivatives of its parts are within the tolerance, which is bounded by differences of control points.
   SvgPath& curve_to(const std::vector<Point>& polygon);
 
  private:
@@ -31,12 +31,12 @@ class SvgPath {
 
   std::string& out_;
   double tolerance_;
-  int decimals_;  // negative: shortest form
+  int decimals_;  // digits behind the point; negative: the shortest form of each number
 };
 
 /// The text with &, <, > and " escaped; what XML cannot hold (control characters) becomes U+FFFD.
 std::string escape_xml(std::string_view text);
-/// Six significant digits.
+/// The number with six significant digits.
 std::string short_number(double value);
 
 }  // namespace pliant

@@ -16,7 +16,7 @@ namespace {
 constexpr int max_pieces = 32;
 constexpr int max_color_pieces = 8;
 
-/// The least power of two n, at most `most`, with error <= tolerance * n^2.
+/// The least power of two n with error <= tolerance * n^2, but at most `most`.
 int pieces_for(double error, double tolerance, int most) {
   int n = 1;
   while (n < most && error > tolerance * n * n) n *= 2;
@@ -43,7 +43,7 @@ class Tessellator {
 
  private:
   using Node = std::array<int, 2>;
-  /// What tells two vertices apart that are at the same place: nothing, the face, or the element.
+  /// What vertices at one place must have in common to be shared: nothing (fields), the face, or the element.
   std::int64_t owner(TriangleId t) const {
     const auto face = mesh_.triangle_faces[static_cast<std::size_t>(t)];
     if (kind_ == ColorBy::Kind::metric) return t;
@@ -104,7 +104,7 @@ std::uint32_t Tessellator::vertex(TriangleId t, const std::vector<double>& rows,
     const auto c = static_cast<std::size_t>(std::find(weight.begin(), weight.end(), n) - weight.begin());
     key[1] = mesh_.triangles[static_cast<std::size_t>(t) * static_cast<std::size_t>(net_size(mesh_.degree)) + c];
   } else if (zeros == 1) {
-    // On the edge opposite the corner whose weight is 0.
+    // The node lies on the edge opposite the corner whose weight is 0.
     const auto c = static_cast<std::size_t>(std::find(weight.begin(), weight.end(), 0) - weight.begin());
     const HalfEdgeId h = half_edge(t, static_cast<int>((c + 1) % 3));
     const auto edge = static_cast<std::size_t>(edges_.of_half_edge[index(h)]);
@@ -119,7 +119,7 @@ std::uint32_t Tessellator::vertex(TriangleId t, const std::vector<double>& rows,
   return place->second;
 }
 
-/// Triangles from the corner opposite the only edge that is cut: where nothing inside asks for more.
+/// The triangles from the corner opposite the only edge that is cut, where nothing inside asks for more.
 std::vector<std::array<std::array<int, 2>, 3>> fan(int n, int edge) {
   const auto node = [](const std::array<int, 3>& weight) { return std::array<int, 2>{weight[1], weight[2]}; };
   std::vector<std::array<std::array<int, 2>, 3>> result;
@@ -172,7 +172,7 @@ void Tessellator::add_inner_lines() {
 
 std::array<int, 2> ElementLattice::moved(int i, int j) const {
   const int k = n - i - j;
-  // The nearest of m cuts to step s of n, as a step of n.
+  // The nearest of the m cuts to step s of n, as a step of n.
   const auto snap = [this](int s, int m) { return (2 * s * m + n) / (2 * n) * (n / m); };
   if (j == 0) return {snap(i, counts[0]), 0};
   if (k == 0) return {n - snap(j, counts[1]), snap(j, counts[1])};

@@ -12,7 +12,7 @@ struct Affine {
 
   Point operator()(const Point& p) const { return {a * p.x + c * p.y + e, b * p.x + d * p.y + f}; }
   Vector turn(const Vector& v) const { return {a * v.x + c * v.y, b * v.x + d * v.y}; }
-  /// First `second`, then this.
+  /// The map that applies `m` first and then this one.
   Affine operator*(const Affine& m) const {
     return {a * m.a + c * m.b, b * m.a + d * m.b,     a * m.c + c * m.d,
             b * m.c + d * m.d, a * m.e + c * m.f + e, b * m.e + d * m.f + f};

@@ -11,7 +11,7 @@
 namespace pliant::svg {
 namespace {
 
-/// Text between white space and commas.
+/// The words of a text, which white space and commas separate.
 std::vector<std::string_view> words(std::string_view text) {
   constexpr std::string_view between = " \t\r\n\f,";
   std::vector<std::string_view> out;
@@ -23,7 +23,7 @@ std::vector<std::string_view> words(std::string_view text) {
   return out;
 }
 
-/// A declared value in place of the inherited one, where it is a value.
+/// Replaces the inherited value by the declared one. Where nothing or "inherit" is declared, it stays.
 void take(std::string_view& value, std::string_view declared, std::string_view initial) {
   if (declared.empty()) return;
   for (const char* word : {"inherit", "unset", "revert", "revert-layer"})
@@ -84,7 +84,7 @@ void take_font_size(Context& context, const Element& element, const Declarations
   }
 }
 
-/// One coordinate of a transform-origin; nothing for what is none.
+/// One coordinate of a transform-origin; empty for a word that is no coordinate along this axis.
 std::optional<double> origin_along(std::string_view word, Along along, const Viewport& viewport) {
   Length length;
   if (is_same_word(word, along == Along::x ? "left" : "top"))
@@ -107,7 +107,7 @@ Point origin_of(std::string_view text, const Viewport& viewport) {
   if (parts.empty() || parts.size() > 3) throw SyntaxError(0, "expected one to three lengths");
   if (parts.size() == 1) parts.push_back("center");
   auto x = origin_along(parts[0], Along::x, viewport), y = origin_along(parts[1], Along::y, viewport);
-  if (!x || !y) {  // "top left", and "top" alone
+  if (!x || !y) {  // the order is y x in "top left", and "top" stands alone
     x = origin_along(parts[1], Along::x, viewport);
     y = origin_along(parts[0], Along::y, viewport);
   }
@@ -167,7 +167,7 @@ Affine transform_of(const Element& element, const Declarations& declared, const 
   } else {
     return map;
   }
-  // It says where the origin is, also without transform-origin.
+  // A transform-box moves the default origin too, so it counts also without a transform-origin.
   if (is_set(Property::transform_box) && !is_same_word(own(declared, Property::transform_box), "view-box"))
     notices.add("transform-box is taken for view-box", element);
   if (!is_set(Property::transform_origin)) return map;

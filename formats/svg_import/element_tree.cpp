@@ -16,14 +16,15 @@ namespace {
 constexpr std::string_view svg_space = "http://www.w3.org/2000/svg";
 constexpr std::string_view xlink_space = "http://www.w3.org/1999/xlink";
 constexpr std::string_view inkscape_space = "http://www.inkscape.org/namespaces/inkscape";
-constexpr char between = '\n';           // namespace and local name; stands in neither
-constexpr int most_entity_bytes = 1024;  // drawing programs name namespaces by entities, and nothing longer
+constexpr char between = '\n';           // separates namespace and local name, and occurs in neither
+constexpr int most_entity_bytes = 1024;  // longest entity: programs abbreviate namespaces by entities, nothing longer
 
 std::string place(long line, long column) {
   return "line " + std::to_string(line) + ", column " + std::to_string(column);
 }
 
-/// What Expat calls. Exceptions must not pass through C, so the first one is kept and the parser stopped.
+/// The functions that Expat calls. An exception must not pass through C code: the first one is kept, and the parser
+/// is stopped.
 class Builder {
  public:
   explicit Builder(std::vector<Element>& elements)
@@ -56,7 +57,7 @@ class Builder {
 
   void parse(std::string_view bytes) {
     if (bytes.size() > INT_MAX) throw InputError("", "the file has more than 2 GB");
-    // All at once: fed in pieces, Expat 2.5 starts a long attribute anew at every piece.
+    // The document is parsed in one call: fed in pieces, Expat 2.5 starts a long attribute anew at every piece.
     const XML_Status status = XML_Parse(parser_.get(), bytes.data(), static_cast<int>(bytes.size()), 1);
     if (failure_) std::rethrow_exception(failure_);
     if (status == XML_STATUS_OK) return;
@@ -124,7 +125,7 @@ class Builder {
     if (element.name == "style" || element.name == "title") element.text += text;
   }
 
-  /// Entities without entities in them cannot grow faster than the file; Expat limits the factor.
+  /// Refuses entities that refer to others. The rest cannot grow faster than the file, and Expat limits the factor.
   void check_entity(const char* name, bool is_parameter, const std::unique_ptr<std::string>& value) {
     std::string why;
     if (is_parameter)

@@ -8,18 +8,18 @@
 
 namespace pliant::svg {
 
-inline constexpr std::size_t max_depth = 256;           ///< of nested elements
-inline constexpr std::size_t max_elements = 5'000'000;  ///< a few GB at the worst
+inline constexpr std::size_t max_depth = 256;           ///< of elements nested in each other
+inline constexpr std::size_t max_elements = 5'000'000;  ///< that a document may have; they take a few GB at the worst
 inline constexpr int no_element = -1;
 
 struct Element {
   std::string name;  ///< local name; empty where the element is not in SVG's namespace
   std::vector<std::pair<std::string, std::string>>
-      attributes;    ///< without a namespace, and "xlink:href", "inkscape:label"
-  std::string text;  ///< of `style` and `title` only
+      attributes;    ///< those without a namespace, "xlink:href" and "inkscape:label"
+  std::string text;  ///< content of `style` and `title`, empty for others
   std::vector<int> children;
   int parent = no_element;
-  long line = 0, column = 0;  ///< of its start tag, from 1
+  long line = 0, column = 0;  ///< where its start tag is, counted from 1
 
   /// The attribute's value, or null.
   const std::string* find(std::string_view attribute) const;
@@ -30,16 +30,15 @@ class ElementTree {
  public:
   /// Reads a document. A root `svg` without a namespace is taken for SVG.
   ///
-  /// Throws      InputError with "line L, column C" in place of a pointer: no well-formed XML; no SVG; entities that
-  /// are
-  ///             external, nested or long; elements nested deeper than max_depth
+  /// Throws      InputError with "line L, column C" in place of a pointer: no well-formed XML; no SVG;
+  ///             external, nested or long entities; elements nested deeper than max_depth
   explicit ElementTree(std::string_view bytes);
 
   const Element& operator[](int i) const { return elements_[static_cast<std::size_t>(i)]; }
   int size() const { return static_cast<int>(elements_.size()); }
-  /// Does the document name style sheets of other files?
+  /// Does the document refer to style sheets in other files?
   bool names_sheets() const { return names_sheets_; }
-  /// The first element of that id, or no_element.
+  /// The first element with this id, or no_element.
   int find(const std::string& id) const;
 
  private:
@@ -48,7 +47,7 @@ class ElementTree {
   bool names_sheets_ = false;
 };
 
-/// "line 3, column 7".
+/// A place as words: "line 3, column 7".
 std::string place_of(const Element& element);
 
 }  // namespace pliant::svg

@@ -9,10 +9,10 @@ namespace pliant::svg {
 
 class Notices {
  public:
-  /// Counts a thing; `element` is where it was seen.
+  /// Counts one occurrence of `what`, seen in `element`.
   void add(const std::string& what, const Element& element, long times = 1);
   void add(const std::string& what, long times);
-  /// "text is not read: 3 times, first at line 12", in the order of first occurrence.
+  /// Sentences such as "text is not read: 3 times, first at line 12", in the order of first occurrence.
   std::vector<std::string> sentences() const;
 
  private:
@@ -21,7 +21,7 @@ class Notices {
     long times;
   };
   std::vector<Entry> entries_;
-  long others_ = 0;  ///< beyond most_kinds, so that a hostile file does not make a page of them
+  long others_ = 0;  ///< kinds beyond most_kinds, counted only, so that a hostile file does not make a page of them
 };
 
 }  // namespace pliant::svg

@@ -24,7 +24,7 @@ constexpr std::string_view named_colours =
     "pink plum powderblue purple rebeccapurple red rosybrown royalblue saddlebrown salmon sandybrown seagreen seashell "
     "sienna silver skyblue slateblue slategray slategrey snow springgreen steelblue tan teal thistle tomato turquoise "
     "violet wheat white whitesmoke yellow yellowgreen "
-    // of the system
+    // colours of the system, such as "canvas"
     "accentcolor accentcolortext activetext buttonborder buttonface buttontext canvas canvastext field fieldtext "
     "graytext highlight highlighttext linktext mark marktext selecteditem selecteditemtext visitedtext activeborder "
     "activecaption appworkspace background buttonhighlight buttonshadow captiontext inactiveborder inactivecaption "
@@ -58,7 +58,7 @@ Paint classify_hex(std::string_view word) {
   }
 }
 
-/// The alpha of a colour's arguments: behind a slash, or the fourth of those between commas.
+/// The alpha among a colour's arguments: what stands behind a slash, or the fourth of arguments with commas.
 bool has_no_alpha(std::string_view arguments) {
   std::size_t at = arguments.rfind('/');
   if (at == std::string_view::npos) {

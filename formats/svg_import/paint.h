@@ -5,22 +5,22 @@
 namespace pliant::svg {
 
 enum class Paint {
-  colour,          ///< one that shows
-  invisible,       ///< none, or a colour of alpha 0
-  current,         ///< the property `color`
-  of_fill,         ///< context-fill
-  of_stroke,       ///< context-stroke
+  colour,          ///< a colour that shows
+  invisible,       ///< "none", or a colour of alpha 0
+  current,         ///< currentColor: the paint is the property `color`
+  of_fill,         ///< context-fill: the fill of the `use` around it
+  of_stroke,       ///< context-stroke: the stroke of the `use` around it
   reference,       ///< url(...): a gradient or a pattern
-  not_understood,  ///< var(...), or words of no paint: CSS passes over those
+  not_understood,  ///< var(...), or words that are no paint: CSS passes over both
 };
 
-/// What a value of `fill`, `stroke` or `color` is; a colour of SVG 1.1 may have an icc-color behind it.
+/// The kind of a value of `fill`, `stroke` or `color`. In SVG 1.1 an icc-color may follow a colour.
 Paint classify_paint(std::string_view value);
 
-/// Are the words the same but for the case of A to Z?
+/// Are the words equal if A to Z count as a to z?
 bool is_same_word(std::string_view a, std::string_view b);
 
-/// The number at the start of a text, of a percentage the hundredth; `otherwise` where there is none.
+/// The number at the start of a text (50% is 0.5); `otherwise` where no number stands there.
 double fraction_of(std::string_view text, double otherwise);
 
 }  // namespace pliant::svg

@@ -19,7 +19,7 @@ class PathReader {
   }
 
  private:
-  /// One letter and all the groups of arguments behind it.
+  /// Reads one letter and all groups of arguments behind it.
   void read_command() {
     const Scanner at_letter = in_;
     const char letter = in_.peek();
@@ -41,9 +41,9 @@ class PathReader {
     do {
       draw(group);
       last_ = group;
-      if (group == 'M') group = 'L';  // further pairs of a moveto are linetos
+      if (group == 'M') group = 'L';  // pairs that follow the first one of a moveto are linetos
       in_.skip_space();
-      // A comma promises another group.
+      // Behind a comma another group must follow.
       if (in_.take(',')) {
         in_.skip_space();
         if (!in_.at_number()) in_.fail("a number behind the comma");
@@ -72,7 +72,7 @@ class PathReader {
       is_open_ = true;
       return out_.move(at_);
     }
-    // After a close without a moveto the next subpath starts where the last one did.
+    // A subpath that begins without a moveto, after a close, starts where the one before it started.
     if (!is_open_) out_.move(at_);
     is_open_ = true;
     switch (command) {
@@ -149,7 +149,7 @@ class PathReader {
   Point at_, start_, control_;
   char last_ = '\0';
   bool relative_ = false;
-  bool is_open_ = false;  ///< a subpath is under way
+  bool is_open_ = false;  ///< is a subpath under way?
 };
 
 }  // namespace

@@ -16,7 +16,8 @@ bool is_space(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r' |
 bool is_digit(char c) { return '0' <= c && c <= '9'; }
 bool is_letter(char c) { return ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z'); }
 
-/// Sine and cosine of degrees; exact at multiples of 90, so that a quarter turn keeps coordinates bit for bit.
+/// Sine and cosine of an angle in degrees. They are exact at multiples of 90, so that a quarter turn keeps
+/// coordinates bit for bit.
 Point direction(double degrees) {
   const double reduced = std::remainder(degrees, 360);
   if (reduced == 0) return {1, 0};
@@ -93,7 +94,7 @@ double Scanner::number(const char* what) {
   double value = 0;
   const auto [end, error] = std::from_chars(text_.data() + next_, text_.data() + text_.size(), value);
   const auto length = static_cast<std::size_t>(end - (text_.data() + next_));
-  // Too small for a double is 0, or nearly; too large is no number.
+  // A number too small for a double is read as 0 or nearly so; one that is too large is refused.
   if (error == std::errc::result_out_of_range)
     value = std::strtod(std::string(text_.substr(next_, length)).c_str(), nullptr);
   if (!std::isfinite(value)) fail(std::string(what) + " that is finite");
@@ -112,7 +113,7 @@ void Scanner::fail(const std::string& what) const {
   if (!at_end()) {
     found = "'";
     for (const char c : text_.substr(next_, 12)) found += static_cast<unsigned char>(c) < ' ' ? ' ' : c;
-    // Not in the middle of a character of several bytes.
+    // The quotation must not end inside a character of several bytes.
     while (next_ + 12 < text_.size() && (static_cast<unsigned char>(found.back()) & 0x80U) != 0) found.pop_back();
     found += "'";
   }
@@ -133,7 +134,7 @@ Length parse_length(std::string_view text) {
     double factor;
     Unit unit = Unit::user;
   };
-  constexpr double half = 0.5;  // what CSS assumes where no font is measured
+  constexpr double half = 0.5;  // of the font's size: what CSS takes for ex and ch where no font is measured
   static constexpr std::array<Known, 18> units{{{"", 1},
                                                 {"px", 1},
                                                 {"pt", 96.0 / 72},
@@ -162,7 +163,7 @@ Length parse_length(std::string_view text) {
 }
 
 Affine parse_style_transform(std::string_view text) {
-  std::string plain;  // as an attribute would say it: numbers without units
+  std::string plain;  // the transform as an attribute would have it: numbers without units
   Scanner in(text);
   while (!in.at_end()) {
     if (in.at_number()) {

@@ -9,7 +9,7 @@
 
 namespace pliant::svg {
 
-/// What was expected, and where in an attribute's value.
+/// A fault in an attribute's value: what was expected, and at which offset.
 class SyntaxError : public std::runtime_error {
  public:
   SyntaxError(std::size_t offset, const std::string& text) : std::runtime_error(text), offset_(offset) {}
@@ -27,17 +27,18 @@ class Scanner {
   char peek() const { return at_end() ? '\0' : text_[next_]; }
   std::size_t offset() const { return next_; }
   void skip_space();
-  /// White space, and one comma in it.
+  /// Passes white space with at most one comma in it.
   void skip_comma();
   /// Passes `c` if it is next.
   bool take(char c);
   /// Passes letters (none if there are none).
   std::string_view word();
-  /// A number starts here.
+  /// Does a number start here?
   bool at_number() const;
-  /// Throws      SyntaxError unless a finite number stands here; `what` says what it is
+  /// Reads a number.
+  /// Throws      SyntaxError unless a finite number stands here; `what` says in the message what it would be
   double number(const char* what);
-  /// 0 or 1, one character: "a1 1 0 00.5.5" is legal.
+  /// Reads a flag: the one character 0 or 1, so that "a1 1 0 00.5.5" is legal.
   bool flag(const char* what);
   /// Throws SyntaxError: "expected WHAT, found ...".
   [[noreturn]] void fail(const std::string& what) const;
@@ -47,19 +48,19 @@ class Scanner {
   std::size_t next_ = 0;
 };
 
-/// What a length is counted in: user units, percent, sizes of the font (of the element, of the root), percent of the
-/// window.
+/// What a length is counted in: user units; percent; font sizes of the element (em) or of the root (rem); percent of
+/// the window's width, height, smaller or larger side.
 enum class Unit { user, percent, em, rem, vw, vh, vmin, vmax };
 struct Length {
-  double value = 0;  ///< user units (96 to the inch), or as many of the unit
+  double value = 0;  ///< how many of the unit; user units are 96 to the inch
   Unit unit = Unit::user;
 };
 
-/// "12", "3.5mm", "50%", "2em". Throws SyntaxError.
+/// Reads a length such as "12", "3.5mm", "50%" or "2em". Throws SyntaxError.
 Length parse_length(std::string_view text);
 /// The matrix of a transform attribute: the product of its list. Throws SyntaxError.
 Affine parse_transform(std::string_view text);
-/// The same of a style, where lengths are in px and angles have units. Throws SyntaxError.
+/// The same for a transform in a style, where lengths are in px and angles have units. Throws SyntaxError.
 Affine parse_style_transform(std::string_view text);
 
 }  // namespace pliant::svg

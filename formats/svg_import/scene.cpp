@@ -13,9 +13,9 @@
 namespace pliant::svg {
 namespace {
 
-constexpr int max_nesting = 400;  // of elements as painted, through `use`
+constexpr int max_nesting = 400;  // depth of elements as they are painted, through `use`
 
-/// Elements that hold what others refer to, or what is not to be seen at all.
+/// Elements that paint nothing themselves: they hold what others refer to, or what is never seen.
 const std::unordered_set<std::string_view> silent{
     "defs",          "symbol",  "title",     "desc",           "metadata",       "style",       "clipPath", "mask",
     "marker",        "pattern", "filter",    "linearGradient", "radialGradient", "solidColor",  "view",     "cursor",
@@ -29,7 +29,7 @@ class Walker {
   Scene walk() {
     Context context;
     context.viewport = root_viewport(tree_[0], Viewport::medium);
-    context.map = {1, 0, 0, -1, 0, 0};  // y upwards
+    context.map = {1, 0, 0, -1, 0, 0};  // y of the result points upwards
     visit(0, context);
     if (tree_.names_sheets()) notices_.add("style sheets of other files are not read", 1);
     for (const auto& [what, times] : sheets_.unread()) notices_.add(what + " are not read", times);
@@ -53,7 +53,7 @@ class Walker {
       return count_hidden(index);
     }
     inherit(context, element, declared, notices_);
-    // Units of the root's own font are known only now.
+    // Lengths in units of the root's font are known only now that its font size is.
     if (index == 0 && context.depth == 1) context.viewport = root_viewport(element, context.viewport.font_size);
     context.map = context.map * transform_of(element, declared, context.viewport, notices_);
     if (is_shape(element.name)) {
@@ -93,7 +93,7 @@ class Walker {
     }
   }
 
-  /// The root, whose user units are those of the result.
+  /// Visits the root element, whose user units are those of the result.
   void visit_root(const Element& root, const Declarations& declared, const Context& context) {
     const std::size_t first = scene_.shapes.size();
     visit_children(root, context);
@@ -104,7 +104,8 @@ class Walker {
              "what juts out of the page is not cut off");
   }
 
-  /// Names what is beyond the viewport (0, 0, width, height) of the shapes from `first` on, and would not be seen.
+  /// Adds the notice `what` if a shape from number `first` on juts out of the viewport (0, 0, width, height), where it
+  /// would not be seen.
   void note_cut(const Element& element, const Declarations& declared, std::size_t first, const Affine& map,
                 double width, double height, const char* what) {
     const std::string_view overflow = own(declared, Property::overflow);
@@ -121,7 +122,7 @@ class Walker {
     }
   }
 
-  /// `size` holds the width and height of the `use` that shows it, if any.
+  /// Visits a nested svg element. `size` is the `use` that shows it, whose width and height go before its own, or null.
   void visit_svg(const Element& element, const Declarations& declared, Context context, const Element* size,
                  bool is_root) {
     note_effects(element, declared);
@@ -171,7 +172,7 @@ class Walker {
     const double y = length_of(element, "y", Along::y, context.viewport);
     if (x != 0 || y != 0) context.map = context.map * Affine{1, 0, 0, 1, x, y};
     context.shown_by = &tree_[index];
-    // What the copy's context-fill refers to; the use's own may refer to the use around it.
+    // The copy's context-fill refers to the fill of this `use`, which may itself refer to the `use` around it.
     if (classify_paint(context.fill) != Paint::of_fill && classify_paint(context.fill) != Paint::of_stroke)
       context.context_fill = context.fill;
     if (classify_paint(context.stroke) != Paint::of_fill && classify_paint(context.stroke) != Paint::of_stroke)
@@ -185,7 +186,7 @@ class Walker {
     in_use_[static_cast<std::size_t>(target)] = false;
   }
 
-  /// A symbol, or an svg element, as `use` shows it: with that one's width and height.
+  /// Visits a symbol or an svg element as a `use` shows it: with the width and height of the `use`.
   void show_viewport(const Element& shown, const Element& use, Context context) {
     const Declarations declared = sheets_.declarations_of(shown);
     if (++visits_ > max_visits || ++context.depth > max_nesting)
@@ -204,7 +205,7 @@ class Walker {
     if (element.name == "script") notices_.add("scripts are not run", element);
   }
 
-  /// Shapes below an element that is not displayed; not through `use`.
+  /// Counts the shapes below an element that is not displayed, except those that a `use` would show.
   void count_hidden(int index) {
     const Element& element = tree_[index];
     if (++visits_ > max_visits) refuse(element, "the drawing has too many elements");
@@ -222,7 +223,7 @@ class Walker {
     if (is_set(Property::filter)) notices_.add("filters change nothing", element);
   }
 
-  /// Does the paint show? A reference to nothing does not unless a colour stands behind it.
+  /// Does the paint show? A reference to a missing element does not, unless a colour follows it.
   bool paints(std::string_view paint, const Element& element, const Context& context) {
     switch (classify_paint(paint)) {
       case Paint::colour:
@@ -242,7 +243,7 @@ class Walker {
     return true;
   }
 
-  /// Gradients and patterns paint.
+  /// Does the element paint where it is referred to? Gradients and patterns do.
   bool reference_paints(std::string_view paint, const Element& element, const Context& context) {
     const std::size_t end = std::min(paint.find(')'), paint.size());
     std::string id(paint.substr(4, end - 4));
@@ -262,7 +263,7 @@ class Walker {
     return true;
   }
 
-  /// What is drawn along the outline, where there is any.
+  /// Adds notices of strokes and markers, which are drawn along an outline and not read.
   void note_lines(const Element& element, const Context& context) {
     const Paint stroke = classify_paint(context.stroke);
     if (stroke != Paint::invisible && stroke != Paint::not_understood) notices_.add("strokes are not read", element);

@@ -8,14 +8,14 @@
 
 namespace pliant::svg {
 
-inline constexpr std::size_t max_steps = 2'000'000;  ///< of all outlines together, copies by `use` counted each
-inline constexpr long max_visits = 1'000'000;        ///< of elements, those in copies counted each time
-inline constexpr double max_coordinate = 1e60;       ///< fourth powers of it are finite
+inline constexpr std::size_t max_steps = 2'000'000;  ///< steps of all outlines together, each copy by `use` counted
+inline constexpr long max_visits = 1'000'000;        ///< visits of elements, those in copies counted each time
+inline constexpr double max_coordinate = 1e60;       ///< largest coordinate: its fourth power is finite
 
 /// One filled shape.
 struct Shape {
   std::string name;  ///< id of the element or of the `use` that shows it, else its kind and number; no two alike
-  long line = 0;     ///< of the document
+  long line = 0;     ///< of its element in the document
   bool even_odd = false;
   Outline outline;  ///< in the root's user units, y upwards
 };
@@ -26,7 +26,7 @@ struct Scene {
   std::vector<std::string> warnings;
 };
 
-/// Walks the document as it is painted.
+/// Walks the document in the order in which it is painted, and collects what it fills.
 /// Throws      InputError with the element's line and column: bad attributes, `use` that contains itself, limits
 Scene read_scene(const ElementTree& tree);
 

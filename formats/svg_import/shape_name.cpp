@@ -4,9 +4,9 @@
 namespace pliant::svg {
 namespace {
 
-constexpr std::size_t longest_title = 100;  // bytes: longer ones are no names
+constexpr std::size_t longest_title = 100;  // in bytes: longer titles are no names
 
-/// Is it an id that a drawing program made up, as "path1234-5" and "rect7"?
+/// Is it an id that a drawing program made up, such as "path1234-5" or "rect7"?
 bool is_made_up(const std::string& id, const std::string& kind) {
   for (const std::string& start :
        {kind, std::string("path"), std::string("g"), std::string("use"), std::string("svg")}) {
@@ -17,7 +17,7 @@ bool is_made_up(const std::string& id, const std::string& kind) {
   return false;
 }
 
-/// With single spaces between words.
+/// The text with single spaces between its words.
 std::string tidied(const std::string& text) {
   std::string out;
   bool is_apart = false;

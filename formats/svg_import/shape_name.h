@@ -10,7 +10,8 @@ namespace pliant::svg {
 class ShapeNames {
  public:
   explicit ShapeNames(const ElementTree& tree) : tree_(tree) {}
-  /// No two alike: the element's own name, else that of the `use` that shows it (or null), else its kind and number.
+  /// The element's own name; else that of the `use` that shows it (`use` may be null); else its kind and number. No two
+  /// names are alike.
   std::string name(const Element& element, const Element* shown_by, long number);
 
  private:

@@ -10,8 +10,8 @@
 namespace pliant::svg {
 namespace {
 
-/// A quarter of an ellipse with axes along the coordinates, by its quarter: 0 starts on the x axis, in the direction of
-/// growing angles.
+/// A quarter of an ellipse whose axes are parallel to the coordinate axes. Quarter 0 starts on the x axis and runs in
+/// the direction of growing angles; 1, 2 and 3 follow it.
 void add_quarter(Outline& out, const Point& center, double rx, double ry, int quarter, const Point& end) {
   constexpr double right = std::numbers::pi / 2;
   static constexpr Vector axes[] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
@@ -27,7 +27,7 @@ void add_ellipse(Outline& out, const Point& c, double rx, double ry) {
   out.close();
 }
 
-/// A length that must not be negative; "auto" is `otherwise`.
+/// The length of an attribute, which must not be negative; `otherwise` for "auto".
 double extent(const Element& element, const char* attribute, Along along, const Viewport& viewport, double otherwise) {
   const std::string* value = element.find(attribute);
   if (value != nullptr && *value == "auto") return otherwise;
@@ -42,7 +42,7 @@ void add_rect(Outline& out, const Element& element, const Viewport& viewport) {
   const double height = extent(element, "height", Along::y, viewport, 0);
   if (width == 0 || height == 0) return;
   double rx = extent(element, "rx", Along::x, viewport, -1), ry = extent(element, "ry", Along::y, viewport, -1);
-  // One radius stands for both.
+  // Where only one radius is given, it is both.
   if (rx < 0) rx = ry;
   if (ry < 0) ry = rx;
   rx = std::clamp(rx, 0.0, width / 2);

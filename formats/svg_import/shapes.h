@@ -8,10 +8,11 @@
 
 namespace pliant::svg {
 
-/// What percentages, and units of the font and of the window, refer to, in user units.
+/// What relative lengths refer to, in user units: percentages to the viewport's width and height, em and rem to font
+/// sizes, vw and vh to the window.
 struct Viewport {
-  static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();  ///< what refers to it is refused
-  static constexpr double medium = 16;                                         ///< size of a font that none is said of
+  static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();  ///< lengths that refer to it are refused
+  static constexpr double medium = 16;  ///< font size where the drawing says none
 
   double width = unknown, height = unknown;
   double font_size = medium, root_font_size = medium;
@@ -19,7 +20,7 @@ struct Viewport {
 };
 enum class Along { x, y, both };
 
-/// A length in user units; NaN where it refers to what is unknown.
+/// The length in user units; NaN where it refers to a size that is unknown.
 double resolve(const Length& length, Along along, const Viewport& viewport);
 
 /// The length of an attribute in user units; `otherwise` where it is missing.
@@ -27,7 +28,7 @@ double resolve(const Length& length, Along along, const Viewport& viewport);
 double length_of(const Element& element, const char* attribute, Along along, const Viewport& viewport,
                  double otherwise = 0);
 
-/// Is it the name of an element that has an interior? (`line` has none.)
+/// Is this the name of an element that has an interior? (`line` has none.)
 bool is_shape(std::string_view name);
 
 /// The outline of a shape in its own coordinates, in the direction that SVG prescribes; empty where the shape is not
@@ -39,7 +40,7 @@ Outline outline_of(const Element& element, const Viewport& viewport);
 std::string describe(const Element& element);
 /// Throws an InputError with the element's place.
 [[noreturn]] void refuse(const Element& element, const std::string& text);
-/// Says what is wrong with an attribute, and where in its value.
+/// Throws an InputError that says what is wrong with an attribute, and where in its value.
 [[noreturn]] void refuse(const Element& element, const char* attribute, const SyntaxError& error);
 
 }  // namespace pliant::svg

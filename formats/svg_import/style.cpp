@@ -9,7 +9,7 @@
 namespace pliant::svg {
 namespace {
 
-constexpr std::size_t most_rules = 2000;  // every element is held to every one
+constexpr std::size_t most_rules = 2000;  // every element is compared with every rule
 
 constexpr std::array<std::string_view, property_count> names{"fill",
                                                              "fill-rule",
@@ -77,7 +77,7 @@ bool is_name(char c) {
          static_cast<unsigned char>(c) >= 0x80;
 }
 
-/// Comments become a space; "<!--" and "-->" stand around sheets of old.
+/// The sheet with a space for each comment, and without "<!--" and "-->", which stand around old sheets.
 std::string without_comments(std::string_view text) {
   std::string out;
   out.reserve(text.size());
@@ -97,7 +97,7 @@ std::string without_comments(std::string_view text) {
   return out;
 }
 
-/// Position of the next of `marks` outside of quotes and parentheses, or the end.
+/// Position of the next character that is one of `marks` and outside of quotes and parentheses; or the end.
 std::size_t find_outside(std::string_view text, std::size_t from, std::string_view marks) {
   char quote = '\0';
   int depth = 0;
@@ -137,7 +137,7 @@ StyleSheets::StyleSheets(const ElementTree& tree) {
     }
     texts_.push_back(without_comments(tree[i].text));
   }
-  for (const std::string& text : texts_) {  // all of them are there, so none moves again
+  for (const std::string& text : texts_) {  // rules point into the texts: all are added by now, so none moves
     parse_sheet(text);
     if (rules_.size() > most_rules)
       throw InputError("", "the style sheets have more than " + std::to_string(most_rules) + " selectors");

@@ -10,7 +10,7 @@
 
 namespace pliant::svg {
 
-/// Those that are read.
+/// The properties that are read.
 enum class Property {
   fill,
   fill_rule,
@@ -30,7 +30,7 @@ enum class Property {
   marker_start,
   marker_mid,
   marker_end,
-  // Those from here on are properties in styles only: as attributes they are read as such, or are none.
+  // From here on they are properties only in styles; attributes of these names are read elsewhere, or mean nothing.
   transform,
   marker,
   font,
@@ -51,21 +51,21 @@ enum class Property {
 };
 inline constexpr Property first_of_styles_only = Property::transform, first_of_geometry = Property::x;
 inline constexpr std::size_t property_count = static_cast<std::size_t>(Property::d) + 1;
-/// As it is written.
+/// The property's name as documents write it.
 std::string_view name_of(Property property);
 
-/// One element's own declarations, empty where it has none; `fill` and so on as they are written.
+/// The values that one element itself declares, as they are written, by property; empty where it declares none.
 using Declarations = std::array<std::string_view, property_count>;
 
-/// Style sheets of a document.
+/// The style sheets inside a document.
 class StyleSheets {
  public:
   /// Reads every `style` element. The tree must outlive this.
   explicit StyleSheets(const ElementTree& tree);
-  /// What an element itself declares: presentation attributes, then the sheets' rules by specificity, then its style
-  /// attribute, then what is !important. Views stay valid as long as the tree.
+  /// What an element itself declares. Later sources win: presentation attributes, the sheets' rules by specificity, the
+  /// style attribute, declarations with !important. The views are valid as long as the tree and this.
   Declarations declarations_of(const Element& element) const;
-  /// Selectors and rules that were not understood: text and how often.
+  /// Selectors and rules that are not read, and how often each was met.
   const std::map<std::string, long>& unread() const { return unread_; }
 
  private:
@@ -75,9 +75,9 @@ class StyleSheets {
     bool important;
   };
   struct Rule {
-    std::string_view type, id;  ///< empty: any
+    std::string_view type, id;  ///< of the element; empty: any
     std::vector<std::string_view> classes;
-    std::size_t first, last;  ///< of declarations_
+    std::size_t first, last;  ///< range in declarations_
     int specificity;
   };
   static void parse_declarations(std::string_view text, std::vector<Declaration>& out);
@@ -86,7 +86,7 @@ class StyleSheets {
   bool parse_selector(std::string_view selector, Rule& rule) const;
   static bool matches(const Rule& rule, const Element& element, const std::vector<std::string_view>& classes);
 
-  std::vector<std::string> texts_;  ///< of the sheets, without comments
+  std::vector<std::string> texts_;  ///< texts of the sheets, without comments
   std::vector<Declaration> declarations_;
   std::vector<Rule> rules_;  ///< ascending in precedence
   std::map<std::string, long> unread_;

@@ -19,7 +19,7 @@ namespace {
 
 using namespace svg;
 
-constexpr double most_snap = 1e-5;  // of the drawing's size: what runs together is not farther apart
+constexpr double most_snap = 1e-5;  // curves farther apart than this part of the drawing's size never run together
 
 constexpr const char* not_apart =
     "shapes cross, touch or lie over each other; import-svg --planar makes disjoint faces of what is seen of them";
@@ -36,8 +36,8 @@ double size_of(const std::vector<Shape>& shapes) {
   return box.size();
 }
 
-/// Curves are where they are within the tolerance of the import, so what is closer runs together. Where snapping as
-/// coarse as that spoils details, a finer one tells them apart.
+/// Arranges the faces. Curves are exact only to the import's tolerance, so curves closer than that run together. Where
+/// so coarse a snap leaves no arrangement, finer ones are tried; the faults are those of the first try.
 Arrangement arrange_drawing(const std::vector<FilledFace>& faces, double tolerance) {
   constexpr double finer = 1.0 / 16;
   ArrangeOptions options;
@@ -79,7 +79,7 @@ class Drawing {
 
   bool empty() const { return loops_.empty(); }
 
-  /// The complex of faces that the loops separate.
+  /// The boundary of shapes that are apart: the faces that their loops separate.
   /// Throws      InputError for shapes that meet
   void make_boundary() {
     require_apart();
@@ -112,8 +112,8 @@ class Drawing {
     }
   }
 
-  /// The same for shapes that meet: disjoint faces of what is seen of each.
-  /// Throws      InputError where there is no arrangement
+  /// The boundary of shapes that may meet: a face is what is seen of its shape, and faces are disjoint.
+  /// Throws      InputError where the curves cannot be arranged
   void arrange_boundary() {
     std::vector<FilledFace> faces;
     faces.reserve(shapes_.size());
@@ -165,7 +165,8 @@ class Drawing {
     }
   }
 
-  /// Holds every loop by itself, a face to its left, to what a boundary must be.
+  /// Checks the loops as a boundary of one face, which lies inside of every loop: they must not cross or touch.
+  /// Throws      InputError
   void require_apart() const {
     BoundaryComplex alone;
     for (std::size_t l = 0; l < loops_.size(); ++l) {
@@ -173,7 +174,7 @@ class Drawing {
       for (const BSpline& curve : loops_[l].loop->curves) area += curve.area();
       add_curves(l, area > 0 ? 0 : outside, area > 0 ? outside : 0, alone);
     }
-    for (std::size_t l = 0, c = 0; l < loops_.size(); ++l)  // faults name the curves
+    for (std::size_t l = 0, c = 0; l < loops_.size(); ++l)  // a fault names its curve, and so the shape's line
       for (std::size_t k = 0; k < loops_[l].loop->curves.size(); ++k)
         alone.curves[c++].name += ", line " + std::to_string(shape_of(l).line);
     alone.faces.push_back({"all", {}});
@@ -181,7 +182,7 @@ class Drawing {
     if (faults.empty()) faults = check_boundary_geometry(alone);
     if (faults.empty()) return;
     std::string text = not_apart;
-    for (const Fault& fault : faults)  // others, of vertices at one place and of areas, only follow from these
+    for (const Fault& fault : faults)  // other faults (vertices at one place, areas) only follow from these
       if (fault.place.rfind("/curves", 0) == 0) text += "\n" + fault.text;
     throw InputError("", text);
   }
@@ -199,7 +200,7 @@ class Drawing {
 
   const std::vector<Shape>& shapes_;
   SvgImport& import_;
-  double tolerance_;  // of the drawing's size
+  double tolerance_;  // as a part of the drawing's size
   std::vector<std::vector<Loop>> all_;
   std::vector<ShapeLoop> loops_;
   std::size_t next_loop_ = 0;
@@ -219,7 +220,7 @@ long count_pieces(const std::vector<Shape>& shapes, int degree, double tolerance
   return counts.pieces;
 }
 
-/// Many small elements are often the price of a tolerance that nobody needs.
+/// Notes how many pieces the tolerance costs: many small elements are often the price of one that nobody needs.
 void note_cost(const std::vector<Shape>& shapes, const SvgReadOptions& options, SvgImport& import) {
   if (import.fitted == 0) return;
   constexpr double looser = 100;
@@ -245,7 +246,7 @@ SvgImport read_svg(std::string_view bytes, const SvgReadOptions& options) {
   import.unfilled = scene.unfilled;
   import.hidden = scene.hidden;
   import.size = size_of(scene.shapes);
-  constexpr double least_size = 1e-60;  // squares of what is a part of it do not vanish
+  constexpr double least_size = 1e-60;  // squares of small parts of it do not underflow to 0
   if (import.size > 0 && import.size < least_size) throw InputError("", "the drawing is smaller than 1e-60");
   Drawing drawing(scene.shapes, options, import);
   if (drawing.empty())

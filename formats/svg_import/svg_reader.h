@@ -10,33 +10,34 @@
 namespace pliant {
 
 struct SvgReadOptions {
-  int degree = 2;           ///< 2 or 3: of the curves at most; cubics are exact at 3
-  double tolerance = 1e-6;  ///< of cubics and arcs that are fitted, as a part of the drawing's size; with `planar` also
-                            ///< of curves that run together
+  int degree = 2;           ///< highest degree of the curves, 2 or 3; cubics are exact at 3
+  double tolerance = 1e-6;  ///< how far fitted cubics and arcs may be off, as a part of the drawing's size; with
+                            ///< `planar` curves closer than this run together
   bool planar = false;      ///< shapes may meet: each gives way to those painted after it (arrange)
-  bool compares = false;    ///< tell how many pieces another degree and a looser tolerance would take
+  bool compares = false;    ///< say in `notes` how many pieces another degree and a looser tolerance would take
 };
 
 struct SvgImport {
   BoundaryComplex boundary;
-  std::vector<std::string> warnings;  ///< what is not read, a sentence each
+  std::vector<std::string> warnings;  ///< a sentence for each kind of thing that is not read
   long shapes = 0;                    ///< filled shapes
-  long unfilled = 0, hidden = 0;      ///< shapes left out
+  long unfilled = 0, hidden = 0;      ///< shapes left out: without a fill, not displayed or not visible
   long no_area = 0;                   ///< loops left out: they have no interior
   long no_border = 0;                 ///< loops left out: the same shape on both sides
   long pieces = 0, fitted = 0;        ///< Bézier pieces, and those of them that are not exact
-  long smooth = 0, corners = 0;       ///< joins of pieces
+  long smooth = 0, corners = 0;       ///< joins of pieces: simple knots or corners
   std::vector<std::string> notes;     ///< what the degree and the tolerance cost, if `compares`
   long intersections = 0;             ///< of a planar drawing: places where curves meet
-  double snapped = 0;                 ///< length: curves that are closer run together
+  double snapped = 0;                 ///< length: curves closer than this run together
   long slivers = 0;                   ///< pieces of curves that were merged with one beside them
-  double sliver_area = 0;             ///< what lay between them, at most
+  double sliver_area = 0;             ///< upper bound of the area between them
   long covered = 0;                   ///< shapes of which nothing is left
   double size = 0;                    ///< diagonal of the box of all control points
-  double error = 0;                   ///< bound of the distance from the drawing (length)
+  double error = 0;                   ///< upper bound of the distance from the drawing (length)
 };
 
-/// Every filled shape becomes a face, its loops curves, y upwards: y of the result is -y of the drawing's user units.
+/// Reads a drawing: every filled shape becomes a face, and its loops become curves. y points upwards: y of the result
+/// is -y of the drawing, in user units.
 /// Lines and quadratic curves are kept exactly, cubics at degree 3; what is fitted keeps the tangents at its ends.
 /// Smooth joins become knots of multiplicity degree - 1, the others of multiplicity degree or vertices.
 ///
@@ -44,8 +45,8 @@ struct SvgImport {
 ///
 /// Ensures     check_boundary and check_boundary_geometry are empty
 /// Throws      InputError, with "line L, column C" in place of a pointer where it is an element's fault: no SVG, bad
-///             values, nothing filled, shapes that cross, touch or lie over each other (planar: that cannot be
-///             arranged)
+///             values, nothing filled, shapes that cross, touch or lie over each other (with `planar`: shapes that
+///             cannot be arranged)
 /// Complexity  O(n log n + pairs of boxes of curves that overlap) in the bytes and the pieces
 SvgImport read_svg(std::string_view bytes, const SvgReadOptions& options = {});
 

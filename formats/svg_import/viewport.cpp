@@ -6,7 +6,7 @@
 namespace pliant::svg {
 namespace {
 
-/// The part of the free room before the box: "xMidYMax" along x is 1/2, along y 1.
+/// Which part of the free room lies before the box: for "xMidYMax" 1/2 along x and 1 along y.
 double share(const std::string& word, std::size_t at) {
   const std::string part = word.substr(at, 3);
   return part == "Min" ? 0 : part == "Max" ? 1 : 0.5;

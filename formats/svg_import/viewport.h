@@ -14,10 +14,10 @@ struct ViewBox {
 /// The attribute viewBox; empty where there is none. Throws InputError.
 std::optional<ViewBox> view_box_of(const Element& element);
 
-/// From a viewBox to the box (0, 0, width, height), as the element's preserveAspectRatio says.
+/// The map from a viewBox to the box (0, 0, width, height) that the element's preserveAspectRatio asks for.
 Affine fit_view_box(const Element& element, const ViewBox& box, double width, double height);
 
-/// What percentages and units at the top of a drawing refer to, whose font has that size.
+/// What relative lengths at the top of a drawing refer to, where the root's font has this size.
 Viewport root_viewport(const Element& root, double font_size);
 
 }  // namespace pliant::svg

@@ -9,9 +9,9 @@ namespace {
 
 using Cubic = std::array<Point, 4>;
 
-constexpr double rounding = 1e-14;     // of a piece's size: what decimals that were added up do to a straight line
-constexpr double vanishing = 1e-9;     // of a cubic's size: a derivative that is none
-constexpr double least_inside = 1e-6;  // an inflection closer than this to an end is left there
+constexpr double rounding = 1e-14;     // a part of a piece's size: how far sums of decimals bend a straight line
+constexpr double vanishing = 1e-9;     // a derivative below this part of a cubic's size counts as zero
+constexpr double least_inside = 1e-6;  // an inflection whose parameter is closer than this to an end is not split at
 constexpr int max_halvings = 60;
 
 double size_of(const Point* p, int count) {
@@ -40,7 +40,7 @@ void add_line(const Point& p, const Point& q, bool fitted, std::vector<Piece>& o
   out.push_back(piece);
 }
 
-/// Parameters in (0, 1) at which the curvature changes sign, or where the derivative vanishes.
+/// The parameters in (0, 1) at which the curvature changes sign or the derivative vanishes.
 void add_inflections(const Cubic& c, std::vector<double>& out) {
   const Vector a = c[1] - c[0], b = c[2] - c[1], d = c[3] - c[2];
   // cross(c', c'') is, up to a factor, f0 (1-t)^2 + f1 t (1-t) + f2 t^2.
@@ -65,7 +65,7 @@ void add_inflections(const Cubic& c, std::vector<double>& out) {
 /// The quadratic with the ends and the end tangents of a cubic; empty where the tangents do not meet as they should.
 struct TangentFit {
   Point q;
-  double error;  ///< a bound of the distance, by a reparametrization
+  double error;  ///< upper bound of the distance, from a reparametrization
 };
 
 std::optional<TangentFit> fit_tangents(const Cubic& c) {
@@ -156,7 +156,7 @@ void BezierFit::fit(const Cubic& c, int depth, std::vector<Piece>& out) {
     out.push_back(piece);
     return;
   }
-  // Next to an inflection or a cusp what is left gets straight, or small, before a parabola fits.
+  // Next to an inflection or a cusp the remaining part becomes straight, or small, before a parabola fits.
   const double size = size_of(c.data(), 4);
   const Vector chord = c[3] - c[0];
   const double chord_squared = squared_length(chord);
@@ -182,7 +182,7 @@ void BezierFit::add_arc(const Point& start, const Point& center, const Vector& u
   const double uu = squared_length(u), vv = squared_length(v), uv = dot(u, v);
   const double greatest = std::sqrt((uu + vv + std::hypot(uu - vv, 2 * uv)) / 2);
   const double least = greatest > 0 ? std::abs(cross(u, v)) / greatest : 0;
-  if (least <= rounding * greatest) return add_line(start, end, false, out);  // flattened by a transform
+  if (least <= rounding * greatest) return add_line(start, end, false, out);  // a transform has flattened the ellipse
   // A piece of angle 2h on the unit circle: the parabola is off by 2 sin^4(h/2) / cos(h) at its middle, the cubic by
   // at most 2/27 sin^6(h/2) / cos^2(h/2) (Dokken, Daehlen, Lyche and Morken, 1990).
   const auto error_of = [&](double h) {
@@ -192,7 +192,7 @@ void BezierFit::add_arc(const Point& start, const Point& center, const Vector& u
   const double angle = std::abs(sweep);
   const double order = degree_ >= 3 ? 6 : 4, factor = degree_ >= 3 ? 2.0 / 27 / 64 : 1.0 / 8;
   const double h_fit = std::pow(tolerance_ / (greatest * factor), 1 / order);
-  constexpr double most_h = 0.79;  // a little above a quarter turn a piece
+  constexpr double most_h = 0.79;  // half of a piece's angle: pieces of a little more than a quarter turn
   constexpr double most_pieces = 1e6;
   double count = std::clamp(std::ceil(angle / 2 / std::min(h_fit, most_h) * (1 - 1e-9)), 1.0, most_pieces);
   while (error_of(angle / 2 / count) > tolerance_ && count < most_pieces) count += std::ceil(count / 64);

@@ -12,7 +12,7 @@ inline constexpr int max_fit_degree = 3;
 /// A Bézier curve of degree 1 to 3.
 struct Piece {
   int degree = 1;
-  bool fitted = false;  ///< not exactly what the drawing says
+  bool fitted = false;  ///< is it only near to what the drawing says?
   std::array<Point, 4> points{};
 
   const Point& start() const { return points[0]; }
@@ -20,22 +20,24 @@ struct Piece {
   const Point& end() const { return points[static_cast<std::size_t>(degree)]; }
 };
 
-/// Makes pieces of what an outline consists of, each piece starting bit for bit where the one before it ends.
+/// Turns the steps of an outline into pieces. Each piece starts bit for bit where the one before it ends.
 class BezierFit {
  public:
   /// Requires    degree 2 or 3, tolerance > 0 (length)
   BezierFit(int degree, double tolerance) : degree_(degree), tolerance_(tolerance) {}
 
-  /// A quadratic whose control points are on a line is that line: what runs back on itself has no interior.
+  /// Adds a quadratic curve. One whose control points are on a line becomes that line: a part that runs back on itself
+  /// has no interior.
   void add_quadratic(const Point& p, const Point& q, const Point& r, std::vector<Piece>& out);
-  /// Exact at degree 3, unless its derivative vanishes. Otherwise quadratics that have its tangents at their ends; the
-  /// number of pieces grows as tolerance^(-1/4).
+  /// Adds a cubic curve, exactly at degree 3 unless its derivative vanishes. Otherwise it becomes quadratics that have
+  /// its tangents at their ends; their number grows as tolerance^(-1/4).
   void add_cubic(const std::array<Point, 4>& c, std::vector<Piece>& out);
-  /// centre + u cos(t) + v sin(t) for t from `from` to `from + sweep`: pieces with the tangents of the arc.
+  /// Adds the arc centre + u cos(t) + v sin(t), t from `from` to `from + sweep`, as pieces with its tangents at their
+  /// ends.
   void add_arc(const Point& start, const Point& center, const Vector& u, const Vector& v, double from, double sweep,
                const Point& end, std::vector<Piece>& out);
 
-  /// A bound of the distance of any of the pieces so far from what it stands for, and of that from the piece.
+  /// Upper bound of the distance, both ways, between any piece so far and the part of the outline that it stands for.
   double error() const { return error_; }
 
  private:

@@ -10,11 +10,11 @@
 namespace pliant::svg {
 namespace {
 
-constexpr double same_place = 1e-12;   // of the drawing's size: what sums of decimals leave between two ends
-constexpr double exact_join = 1e-13;   // of the drawing's size, where the drawing is to be kept exactly
-constexpr double smooth_angle = 1e-3;  // radians; more is a corner, however short its legs
-constexpr double most_stretch = 16;    // of a knot span over its piece's length, before the chain of ratios starts anew
-constexpr double cusp_angle = 1e-7;    // radians
+constexpr double same_place = 1e-12;   // gap, as a part of the drawing's size, that sums of decimals leave
+constexpr double exact_join = 1e-13;   // how far a join of exact pieces may move, as a part of the drawing's size
+constexpr double smooth_angle = 1e-3;  // in radians: a greater turn is a corner, however short its legs are
+constexpr double most_stretch = 16;    // of a knot span over its piece's length; beyond it ratios start anew
+constexpr double cusp_angle = 1e-7;    // in radians: a curve that turns back to within this angle has a cusp
 
 Piece elevated(const Piece& piece, int degree) {
   Piece out = piece;
@@ -50,7 +50,7 @@ class LoopBuilder {
     for (const Piece& piece : pieces_) counts_.fitted += piece.fitted ? 1 : 0;
     if (p_ == 1) return polygon();
     classify();
-    // Start in a cusp, or else in a corner.
+    // The loop starts in a cusp, or else in a corner.
     const auto starts_with = [&](Join kind) { return std::find(joins_.begin(), joins_.end(), kind); };
     auto start = starts_with(Join::cusp);
     if (start == joins_.end()) start = starts_with(Join::corner);
@@ -68,7 +68,7 @@ class LoopBuilder {
   const Point& before(std::size_t i) const { return pieces_[i].points[static_cast<std::size_t>(p_) - 1]; }  // the end
   std::size_t previous(std::size_t i) const { return (i + count() - 1) % count(); }
 
-  /// A polygon: every corner is a simple knot, where a curve of degree 1 may turn.
+  /// A polygon as a curve of degree 1, which may turn at its simple knots.
   Loop polygon() {
     counts_.corners += static_cast<long>(count());
     std::vector<double> knots{0};
@@ -82,7 +82,8 @@ class LoopBuilder {
 
   static double later(double knot, double by) { return std::max(knot + by, std::nextafter(knot, HUGE_VAL)); }
 
-  /// How far the join moves when it is left to the control points beside it, with knot spans a and b.
+  /// How far the join moves if it becomes a smooth knot, where the control points beside it and the spans a and b
+  /// determine its place.
   double displacement(std::size_t i, double a, double b) const {
     const std::size_t j = previous(i);
     const Vector in = pieces_[i].start() - before(j), out = behind(i) - pieces_[i].start();
@@ -107,8 +108,8 @@ class LoopBuilder {
     }
   }
 
-  /// Knot spans in the ratio of the legs at smooth joins; elsewhere, and where the ratios have led too far away from
-  /// the lengths of the pieces, these.
+  /// Chooses the knot spans: at smooth joins in the ratio of the legs; elsewhere, and where these ratios have led too
+  /// far from the lengths of the pieces, as these lengths.
   void choose_knots() {
     knots_.assign(1, 0);
     double span = 0;
@@ -129,7 +130,7 @@ class LoopBuilder {
     }
   }
 
-  /// The knots are rounded; a join that they do not keep in its place is no smooth one.
+  /// Makes a corner of each smooth join that the rounded knots do not keep in its place.
   bool check_join(std::size_t i, double a, double b) {
     const double moved = displacement(i, a, b);
     if (moved <= allowed(i))
@@ -190,7 +191,7 @@ class LoopBuilder {
   const LoopOptions& options_;
   LoopCounts& counts_;
   int p_;
-  std::vector<Join> joins_;  ///< at the start of each piece
+  std::vector<Join> joins_;  ///< the join at the start of each piece
   std::vector<double> knots_;
   double moved_ = 0;
 };
@@ -201,7 +202,7 @@ double extent_of(const Piece& piece) {
   return box.size();
 }
 
-/// Leaves out pieces without length and lets every piece start where the one before it ends; false: nothing is left.
+/// Drops pieces without length and lets every piece start where the one before it ends. False if nothing is left.
 bool close_up(std::vector<Piece>& pieces, double least) {
   std::vector<Piece> kept;
   for (const Piece& piece : pieces) {
@@ -213,7 +214,7 @@ bool close_up(std::vector<Piece>& pieces, double least) {
   return !pieces.empty();
 }
 
-/// Is there anything in it? Not if all control points are on a line.
+/// Has the loop an interior? It has none if all control points are on a line.
 bool has_area(const std::vector<Piece>& pieces, double least) {
   const Point origin = pieces.front().start();
   Vector far;
@@ -229,7 +230,7 @@ bool has_area(const std::vector<Piece>& pieces, double least) {
   return false;
 }
 
-/// A loop of one piece gets two, so that a closed curve has spans enough.
+/// Splits the only piece of a loop in two, so that a closed curve has enough spans.
 void halve(std::vector<Piece>& pieces) {
   const Piece whole = elevated(pieces.front(), 3);
   const auto halves = split(whole.points, 0.5);

@@ -8,31 +8,31 @@
 
 namespace pliant::svg {
 
-inline constexpr std::size_t max_pieces = 5'000'000;  ///< of all loops together
+inline constexpr std::size_t max_pieces = 5'000'000;  ///< most pieces of all loops together
 
 struct LoopOptions {
   int degree = 2;
-  double tolerance = 1e-6;  ///< length; half of it for the pieces, half for joining them smoothly
-  double size = 1;          ///< of the drawing
+  double tolerance = 1e-6;  ///< length: half of it is for fitting the pieces, half for joining them smoothly
+  double size = 1;          ///< size of the drawing
 };
 
-/// One closed curve, or open ones that chain to a loop: each starts bit for bit where the one before it ends.
+/// One closed curve, or open ones that form a loop: each starts bit for bit where the one before it ends.
 struct Loop {
   std::vector<BSpline> curves;
-  std::vector<bool> cusps;  ///< for each curve: it starts in a cusp
+  std::vector<bool> cusps;  ///< for each curve: does it start in a cusp?
 };
 
 struct LoopCounts {
   long pieces = 0;        ///< Bézier pieces
-  long fitted = 0;        ///< of them, those that are not exact
+  long fitted = 0;        ///< pieces that are not exact
   long smooth = 0;        ///< joins that became simple knots (degree 3: double ones)
-  long corners = 0;       ///< joins that did not
+  long corners = 0;       ///< joins that became corners
   long no_area = 0;       ///< loops without an interior, left out
-  double fit_error = 0;   ///< bound of the distance of the pieces from the drawing (length)
-  double join_error = 0;  ///< and of what joining them smoothly moves
+  double fit_error = 0;   ///< upper bound of the distance of the pieces from the drawing (length)
+  double join_error = 0;  ///< upper bound of how far smooth joins move them (length)
 };
 
-/// The loops of an outline as a fill closes them: open subpaths by a line.
+/// The loops of an outline as a fill takes them: open subpaths are closed by a line.
 std::vector<Loop> make_loops(const Outline& outline, const LoopOptions& options, LoopCounts& counts);
 
 }  // namespace pliant::svg

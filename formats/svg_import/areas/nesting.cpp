@@ -11,7 +11,7 @@
 namespace pliant::svg {
 namespace {
 
-/// A part of a Bézier curve along which x does not turn back.
+/// A part of a Bézier curve along which x is monotone.
 struct MonotonePart {
   int loop;
   int degree;
@@ -26,7 +26,7 @@ struct MonotonePart {
     for (int i = 0; i <= degree; ++i) out.extend(points[static_cast<std::size_t>(i)]);
     return out;
   }
-  /// A vertical line just right of x meets it once, or not at all.
+  /// Does a vertical line just right of x meet the part? (It meets it once or not at all.)
   bool crosses(double x) const { return (front().x <= x) != (back().x <= x); }
 
   Point at(double t) const {
@@ -38,7 +38,7 @@ struct MonotonePart {
       }
     return p[0];
   }
-  /// y where it has this x.
+  /// The part's y at this x.
   double height(double x) const {
     double low = 0, high = 1;  // x(low) <= x < x(high), or the other way round
     for (int i = 0; i < 60; ++i) {
@@ -49,7 +49,7 @@ struct MonotonePart {
   }
 };
 
-/// Zeros in (0, 1) of the derivative of one coordinate of a Bézier curve of degree 1 to 3.
+/// The zeros in (0, 1) of the derivative of one coordinate of a Bézier curve of degree 1 to 3.
 std::vector<double> turning_points(const std::array<double, 4>& c, int degree) {
   std::vector<double> out;
   const auto add = [&out](double t) {
@@ -94,7 +94,7 @@ class Nester {
         curve.extract(breaks[s], {points.data(), count});
         add_span(loop, curve.degree(), points);
       }
-      // Near the loop, so that nothing cancels that matters for the sign.
+      // Coordinates relative to a point of the loop, so that no cancellation changes the sign of its area.
       std::vector<Point> near = curve.points();
       const Point origin = loops_[l].loop->curves.front().points().front();
       for (Point& p : near) p -= origin;
@@ -126,7 +126,7 @@ class Nester {
     parts_.push_back(rest);
   }
 
-  /// Cuts off the part before t; both ends there are one point bit for bit.
+  /// Cuts the part before t off from `rest` and puts it into `before`; both meet in one point bit for bit.
   static void cut(MonotonePart& rest, double t, MonotonePart& before) {
     const auto p = static_cast<std::size_t>(rest.degree);
     for (std::size_t level = 0; level <= p; ++level) {
@@ -135,18 +135,18 @@ class Nester {
     }
   }
 
-  /// Just right of x, does `a` run above `b`? They have a common stretch there and do not cross.
+  /// Does `a` run above `b` just right of x? Both are there, and do not cross.
   static bool is_above(const MonotonePart& a, const MonotonePart& b, double x) {
     const double common = std::min(a.high_end(), b.high_end());
     const double ya = a.height(x), yb = b.height(x);
     const double far = x + (common - x) / 2;
-    // Two parts that start in one point differ behind it.
+    // Two parts that start in one point are compared behind it.
     const double near_zero = 1e-9 * (std::abs(ya - yb) + std::abs(a.height(far) - ya) + std::abs(b.height(far) - yb));
     if (std::abs(ya - yb) > near_zero) return ya > yb;
     return a.height(far) > b.height(far);
   }
 
-  /// What is next below the lowest point of a loop decides in which loop it lies.
+  /// Finds the loop that each loop lies in, from the part of a curve that is next below its lowest point.
   void find_parents() {
     std::vector<Box> boxes;
     boxes.reserve(parts_.size() + loops_.size());
@@ -174,7 +174,7 @@ class Nester {
       const Point &p = lowest_[static_cast<std::size_t>(a)], &q = lowest_[static_cast<std::size_t>(b)];
       return std::pair(p.y, a) < std::pair(q.y, b);
     });
-    // In ascending order the loop below is known before.
+    // Loops are taken in the order of their lowest points, so that the parent of the loop below is known already.
     parents_.assign(loops_.size(), nothing);
     for (const int loop : order_) {
       const int hit = below[static_cast<std::size_t>(loop)];

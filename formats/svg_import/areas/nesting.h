@@ -24,19 +24,19 @@ struct Sides {
 
 /// Two shapes that fill the same points.
 struct Overlap {
-  int over, under;  ///< shapes
-  Point place;      ///< on the first one's loop, inside of the second
+  int over, under;  ///< numbers of the shapes
+  Point place;      ///< a point on a loop of `over`, inside of `under`
 };
 
 struct Nesting {
   std::vector<Sides> sides;       ///< of each loop
-  std::vector<Overlap> overlaps;  ///< at most most_overlaps; if there are any, sides are not to be used
+  std::vector<Overlap> overlaps;  ///< at most most_overlaps; where there are any, `sides` means nothing
 };
 inline constexpr std::size_t most_overlaps = 20;
 
-/// Counts the windings of every shape around the points beside each loop. `even_odd` is each shape's rule.
-/// Requires    loops that do not meet (check_boundary_geometry)
-/// Complexity  O(n log n + pairs of boxes that overlap)
+/// Counts the windings of every shape around the points beside each loop. `even_odd` tells each shape's fill rule.
+/// Requires    loops that do not meet, as check_boundary_geometry finds out
+/// Complexity  O(n log n + pairs of boxes that overlap), n parts of curves with monotone x
 Nesting nest(const std::vector<ShapeLoop>& loops, const std::vector<bool>& even_odd);
 
 }  // namespace pliant::svg

@@ -15,7 +15,7 @@ void Outline::transform(const Affine& map) {
       p[0] = map(p[0]);
       p[1] = map.turn(p[1]);
       p[2] = map.turn(p[2]);
-      p[4] = map(p[4]);  // p[3] holds angles of the parameter
+      p[4] = map(p[4]);  // p[3] holds angles, which a map does not change
     } else {
       for (std::size_t i = 0; i < count; ++i) p[i] = map(p[i]);
     }
@@ -53,7 +53,7 @@ void add_arc(Outline& out, const Point& from, double rx, double ry, double turne
   const double phi = std::remainder(turned, 360) * (pi / 180);
   const Vector axis = std::remainder(turned, 90) == 0 ? Vector{std::round(std::cos(phi)), std::round(std::sin(phi))}
                                                       : Vector{std::cos(phi), std::sin(phi)};
-  // The half chord on the unit circle, that is with the axes scaled to 1.
+  // Half of the chord where the axes are scaled to 1, so that the ellipse is the unit circle.
   const Vector half = (from - to) / 2;
   const Vector h{dot(axis, half) / rx, cross(axis, half) / ry};
   const double length_squared = squared_length(h);
@@ -72,10 +72,10 @@ void add_arc(Outline& out, const Point& from, double rx, double ry, double turne
   } else {
     middle = toward * std::sqrt((1 - length_squared) / length_squared) * Vector{h.y, -h.x};
   }
-  const Vector start = h - middle, end = -h - middle;  // only their angles matter
+  const Vector start = h - middle, end = -h - middle;  // only the angles of these vectors matter
   const Vector u = rx * axis, v = ry * perpendicular(axis);
   const Point center = (from + to) / 2 + u * middle.x + v * middle.y;
-  if (!is_finite(center)) return out.line(to);  // a radius beyond all measure
+  if (!is_finite(center)) return out.line(to);  // the radius is too large for a double
   const double angle = std::atan2(start.y, start.x);
   double turn = std::atan2(cross(start, end), dot(start, end));
   if (sweep && turn < 0) turn += 2 * pi;

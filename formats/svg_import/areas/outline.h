@@ -9,11 +9,11 @@ namespace pliant::svg {
 
 enum class Step : unsigned char {
   move,       ///< 1 point
-  line,       ///< 1 point: the end; all steps start where the one before ends
+  line,       ///< 1 point: the end; every step starts where the one before it ends
   quadratic,  ///< 2 points: control point, end
-  cubic,      ///< 3 points
-  arc,        ///< 5: centre, vectors u and v, (angle at the start, sweep), end: centre + u cos + v sin
-  close       ///< none
+  cubic,      ///< 3 points: two control points, end
+  arc,        ///< 5 points: centre, vectors u and v, (angle at the start, sweep), end; centre + u cos + v sin
+  close       ///< no point
 };
 
 /// Number of points that a step has in `Outline::points`.
@@ -47,7 +47,7 @@ struct Outline {
   }
   void close() { add(Step::close, {}); }
   bool empty() const { return steps.empty(); }
-  /// Maps all of it.
+  /// Applies the map to all points.
   void transform(const Affine& map);
 
  private:
