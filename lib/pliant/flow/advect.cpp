@@ -114,6 +114,7 @@ AdvectOutcome step(Mesh& mesh, const MakeTrial& make_trial, const AdvectOptions&
   using Status = AdvectOutcome::Status;
   AdvectOutcome outcome{};
   outcome.blocking = none;
+  outcome.asked_dt = options.dt;
   double dt = options.dt;
   for (int attempt = 1;; ++attempt) {
     Trial trial = make_trial(dt);
@@ -159,6 +160,10 @@ AdvectOutcome step(Mesh& mesh, const MakeTrial& make_trial, const AdvectOptions&
     if (options.policy == StepPolicy::refuse || attempt == most_attempts ||
         !(std::abs(dt) >= least_fraction * std::abs(options.dt))) {
       outcome.status = Status::unsafe;
+      return outcome;
+    }
+    if (mesh.time + dt == mesh.time) {
+      outcome.status = Status::no_progress;
       return outcome;
     }
   }

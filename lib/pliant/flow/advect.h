@@ -23,14 +23,17 @@ struct AdvectOptions {
 /// What became of a step.
 struct AdvectOutcome {
   enum class Status {
-    done,             ///< the whole step was taken
-    limited,          ///< a smaller step was taken
-    unsafe,           ///< no step was taken, since it is not proved safe
-    not_finite,       ///< no step was taken, since the velocity is not finite somewhere
-    not_interpolable  ///< no step was taken, since no spline interpolates the moved points of a curve
+    done,              ///< the whole step was taken
+    limited,           ///< a smaller step was taken
+    unsafe,            ///< no step was taken, since it is not proved safe
+    not_finite,        ///< no step was taken, since the velocity is not finite somewhere
+    not_interpolable,  ///< no step was taken, since no spline interpolates the moved points of a curve
+    no_progress,       ///< no step was taken, since it is too short to change the digits of the time
+    late               ///< no step was taken by advect_to, since the mesh is at its time or later
   } status;
   double dt;                 ///< the step that was taken (0 if none)
   double fraction;           ///< the fraction of the asked step that is proved safe
+  double asked_dt;           ///< the step that was asked for
   TriangleId blocking = -1;  ///< the element that limits the step; none if the asked step is safe
   PassReport report;
 };
