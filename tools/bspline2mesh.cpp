@@ -11,9 +11,7 @@
 #include "pliant/boundary/arrangement.h"
 #include "pliant/boundary/check_boundary.h"
 #include "pliant/generate/mesh_from_boundary.h"
-#include "pliant/improve/refine.h"
-#include "pliant/improve/smoothing/share_bends.h"
-#include "pliant/improve/smoothing/straighten_edges.h"
+#include "pliant/generate/refine_first_mesh.h"
 #include "pliant/mesh/check_mesh.h"
 #include "pliant/mesh/document_unit.h"
 #include "run/documents.h"
@@ -59,28 +57,6 @@ void require_boundary(const BoundaryComplex& boundary) {
   if (std::any_of(faults.begin(), faults.end(), [](const Fault& fault) { return fault.invariant == "contact"; }))
     faults.push_back({"contact", "", "--resolve cuts curves where they cross, touch or overlap"});
   throw BadMesh(std::move(faults));
-}
-
-/// Refines to the criteria of the options and of the document; writes them into it.
-void refine_to(Mesh& mesh, const CriteriaOptions& criteria, const ToolOptions& tool, long max_triangles,
-               ProgressLine& line, PassReport& report) {
-  RefineOptions options;
-  options.max_triangles = max_triangles;
-  options.goals = criteria.goals(mesh);
-  warn_of_thin_gaps(mesh, options.goals, [&](const std::string& text) { say(tool, text); });
-  options.progress = line.counters();
-  if (!mesh.criteria.min_angle) mesh.criteria.min_angle = options.goals.min_angle;
-  options.refit.straight_below = 0.05;  // inner edges become straight in the end
-  PassReport refined = refine(mesh, options);
-  report.values.insert(report.values.end(), refined.values.begin(), refined.values.end());
-  report.refusals.insert(report.refusals.end(), refined.refusals.begin(), refined.refusals.end());
-  report.refused_at.insert(report.refused_at.end(), refined.refused_at.begin(), refined.refused_at.end());
-  report.notes.insert(report.notes.end(), refined.notes.begin(), refined.notes.end());
-  line.stage("straighten");
-  const StraightenCounts edges = straighten_edges(mesh);
-  report.add("edges_straightened", static_cast<double>(edges.straightened));
-  report.add("edges_left_curved", static_cast<double>(edges.left));
-  report.add("elements_levelled", static_cast<double>(share_bends(mesh).levelled));
 }
 
 /// What the command line asks for.
@@ -138,7 +114,7 @@ class Meshing {
     if (options_.no_refine)
       options_.criteria.apply(mesh.criteria, mesh.boundary());
     else
-      refine_to(mesh, options_.criteria, options_.tool, options_.max_triangles, line_, report);
+      report.append(refine_to_criteria(mesh));
     seconds_.emplace_back("refine", watch_.lap());
     line_.stage("write");
     options_.fields.apply(mesh);
@@ -168,12 +144,20 @@ class Meshing {
     Mesh mesh;
     GenerateOutcome outcome = mesh_from_boundary(boundary, options_.generate, mesh);
     if (!outcome.ok) throw NoResult(outcome.failure);
-    report = std::move(outcome.report);
-    for (std::size_t& k : report.lengths) k += resolved.values.size();
-    report.values.insert(report.values.begin(), resolved.values.begin(), resolved.values.end());
-    report.notes.insert(report.notes.begin(), resolved.notes.begin(), resolved.notes.end());
+    report = std::move(resolved);
+    report.append(outcome.report);
     mesh.time = options_.time;
     return mesh;
+  }
+
+  /// Refines to the criteria of the options, which are written into the mesh.
+  PassReport refine_to_criteria(Mesh& mesh) {
+    RefineOptions refine;
+    refine.goals = options_.criteria.goals(mesh);
+    refine.max_triangles = options_.max_triangles;
+    refine.progress = line_.counters();
+    warn_of_thin_gaps(mesh, *refine.goals, [&](const std::string& text) { say(options_.tool, text); });
+    return refine_first_mesh(mesh, refine);
   }
 
   const MeshingOptions& options_;

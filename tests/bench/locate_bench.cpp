@@ -23,7 +23,8 @@ const Mesh& ring(std::int64_t triangles) {
   Mesh& mesh = made[triangles];
   mesh_from_boundary(samples::annulus(2, 0.4), {2}, mesh);
   RefineOptions options;
-  options.goals.max_area = 3.9 / static_cast<double>(triangles);
+  options.goals.emplace();
+  options.goals->max_area = 3.9 / static_cast<double>(triangles);
   refine(mesh, options);
   mesh.compact();
   std::vector<Point> points;

@@ -27,7 +27,8 @@ Mesh refined_cell(double area) {
   Mesh mesh;
   mesh_from_boundary(samples::one_cell(2), {2}, mesh);
   RefineOptions options;
-  options.goals.max_area = area;
+  options.goals.emplace();
+  options.goals->max_area = area;
   refine(mesh, options);
   return mesh;
 }
@@ -237,7 +238,8 @@ void refine_cell(benchmark::State& state) {
   mesh_from_boundary(samples::one_cell(2), {2}, coarse);
   if (state.range(1) > 0) bend_and_carry(coarse);
   RefineOptions options;
-  options.goals.max_area = 4.1 / static_cast<double>(state.range(0));
+  options.goals.emplace();
+  options.goals->max_area = 4.1 / static_cast<double>(state.range(0));
   for (auto _ : state) {
     state.PauseTiming();
     mesh = coarse;
@@ -251,9 +253,10 @@ void refine_cell(benchmark::State& state) {
 void coarsen_cell(benchmark::State& state) {
   const Mesh& fine = delaunay_cell(state.range(0));
   CoarsenOptions options;
-  options.goals.max_area = 41 / static_cast<double>(state.range(0));
+  options.goals.emplace();
+  options.goals->max_area = 41 / static_cast<double>(state.range(0));
   options.tolerance = 1e-3 * fine.size();
-  options.step_tolerance = options.tolerance / 10;
+  options.step_tolerance = *options.tolerance / 10;
   int left = 0;
   for (auto _ : state) {
     state.PauseTiming();

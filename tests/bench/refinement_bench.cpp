@@ -18,7 +18,8 @@ void refine_domain(benchmark::State& state, const std::function<BoundaryComplex(
   Mesh first;
   mesh_from_boundary(domain(), {}, first);
   RefineOptions options;
-  options.goals.min_angle = static_cast<double>(state.range(0)) / 10;
+  options.goals.emplace();
+  options.goals->min_angle = static_cast<double>(state.range(0)) / 10;
   int triangles = 0;
   double left = 0;
   for (auto _ : state) {

@@ -20,9 +20,10 @@ namespace {
 Mesh refined_mesh(const BoundaryComplex& boundary, int degree, int elements, bool by_face) {
   Mesh mesh = mesh_of(boundary, degree, by_face);
   RefineOptions options;
+  options.goals.emplace();
   double area = 0;
   for (TriangleId t = 0; t < mesh.triangle_slots(); ++t) area += area_at(mesh, t);
-  options.goals.max_area = area / elements;
+  options.goals->max_area = area / elements;
   refine(mesh, options);
   MeshData data = mesh.to_data();
   data.fields.clear();

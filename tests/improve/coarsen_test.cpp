@@ -15,16 +15,18 @@ namespace {
 Mesh fine_mesh(const Sample& sample, int degree, double share, bool by_face = false) {
   Mesh mesh = mesh_of(sample.boundary, degree, by_face);
   RefineOptions options;
-  options.goals.max_area = share * area_of(mesh);
+  options.goals.emplace();
+  options.goals->max_area = share * area_of(mesh);
   refine(mesh, options);
   return mesh;
 }
 
 CoarsenOptions options_for(const Mesh& mesh, double tolerance) {
   CoarsenOptions options;
-  options.goals.max_area = area_of(mesh) / 12;
+  options.goals.emplace();
+  options.goals->max_area = area_of(mesh) / 12;
   options.tolerance = tolerance * mesh.size();
-  options.step_tolerance = options.tolerance / 4;
+  options.step_tolerance = *options.tolerance / 4;
   return options;
 }
 
@@ -66,18 +68,19 @@ TEST_CASE("a mesh ten times too fine is coarsened to as many triangles as the si
       Mesh mesh = mesh_of(sample.boundary, degree);
       const double area = area_of(mesh), length = std::sqrt(area / 500);
       CoarsenOptions coarse;
-      if (kind == std::string("uniform")) coarse.goals.size = [=](const Point&, double) { return length; };
-      if (kind == std::string("area")) coarse.goals.max_area = area / 500;
+      coarse.goals.emplace();
+      if (kind == std::string("uniform")) coarse.goals->size = [=](const Point&, double) { return length; };
+      if (kind == std::string("area")) coarse.goals->max_area = area / 500;
       if (kind == std::string("graded"))
-        coarse.goals.size = [=, from = mesh.box().low](const Point& p, double) {
+        coarse.goals->size = [=, from = mesh.box().low](const Point& p, double) {
           return 0.4 * length + 0.1 * (p.x - from.x);
         };
       coarse.tolerance = 1e-2 * mesh.size();
       RefineOptions fine;
-      fine.goals = tenfold(coarse.goals);
+      fine.goals = tenfold(*coarse.goals);
       refine(mesh, fine);
       const BoundaryComplex was = mesh.boundary();
-      const double wanted = wanted_count(mesh, coarse.goals);
+      const double wanted = wanted_count(mesh, *coarse.goals);
       const PassReport report = coarsen(mesh, coarse);
       check_left(mesh);
       CAPTURE(wanted, mesh.triangle_count());
@@ -124,17 +127,17 @@ TEST_CASE("a field of wanted lengths bounds sizes as an expression does", "[impr
   Mesh same = mesh;
   CoarsenOptions by_field, by_expression;
   by_field.goals = goals_of(mesh, {});
-  by_expression.goals.size = [&](const Point& p, double) { return wanted(p); };
+  by_expression.goals->size = [&](const Point& p, double) { return wanted(p); };
   by_field.tolerance = by_expression.tolerance = 1e-2 * mesh.size();
   coarsen(mesh, by_field);
   coarsen(same, by_expression);
   check_left(mesh);
   CHECK(std::abs(mesh.triangle_count() - same.triangle_count()) < 0.05 * same.triangle_count());
-  CHECK(mesh.triangle_count() < 1.15 * wanted_count(same, by_expression.goals));
+  CHECK(mesh.triangle_count() < 1.15 * wanted_count(same, *by_expression.goals));
   RefineOptions fine;
   fine.goals = by_field.goals;
   CHECK(value_of(refine(mesh, fine), "insertions") == 0);
-  fine.goals.size_field = none;
+  fine.goals->size_field = none;
   CHECK(value_of(refine(mesh, fine), "insertions") == 0);
   mesh.criteria.size_field = "noise";
   CHECK_THROWS_WITH(goals_of(mesh, {}), Catch::Contains("has 2 components"));
@@ -166,12 +169,12 @@ TEST_CASE("after coarsening there is nothing to refine", "[improve][property]") 
     CAPTURE(degree, tolerance, sample.name);
     Mesh mesh = fine_mesh(sample, degree, 1.0 / 200);
     CoarsenOptions coarse = options_for(mesh, tolerance);
-    coarse.goals.max_turning = 1.2;
+    coarse.goals->max_turning = 1.2;
     RefineOptions fine;
     fine.goals = coarse.goals;
     refine(mesh, fine);
     bool meets = true;
-    for (TriangleId t = 0; t < mesh.triangle_slots(); ++t) meets = meets && !refine_reason(mesh, t, fine.goals);
+    for (TriangleId t = 0; t < mesh.triangle_slots(); ++t) meets = meets && !refine_reason(mesh, t, *fine.goals);
     const int before = mesh.triangle_count();
     const PassReport report = coarsen(mesh, coarse);
     CHECK(mesh.triangle_count() < before);
@@ -211,7 +214,7 @@ TEST_CASE("curves stay within their removal error, which adds up and is bounded"
     std::vector<double> accumulated(original.curves.size(), 0);
     for (const double tolerance : {0.002, 0.01, 0.03}) {
       options.tolerance = tolerance * mesh.size();
-      options.step_tolerance = options.tolerance / 2;
+      options.step_tolerance = *options.tolerance / 2;
       const PassReport report = coarsen(mesh, options);
       check_left(mesh);
       CHECK(value_of(report, "largest_error") <= options.step_tolerance);
@@ -234,7 +237,7 @@ TEST_CASE("curves stay within their removal error, which adds up and is bounded"
     CHECK(linear_error(mesh) < 1e-11);
     // A curve that has used up its tolerance is left alone.
     MeshData data = mesh.to_data();
-    for (Curve& curve : data.boundary.curves) curve.removal_error = options.tolerance * (1 + 1e-12);
+    for (Curve& curve : data.boundary.curves) curve.removal_error = *options.tolerance * (1 + 1e-12);
     Mesh used(std::move(data));
     CHECK(value_of(coarsen(used, options), "curve_removals") == 0);
   }
@@ -255,7 +258,7 @@ TEST_CASE("where curves move, integrals are kept if that is asked for, linear fu
   const bool by_face = GENERATE(false, true);
   Mesh mesh = fine_mesh({"cells", samples::three_cells(degree)}, degree, 1.0 / 150, by_face);
   CoarsenOptions options = options_for(mesh, 0.05);
-  options.goals.max_area = HUGE_VAL;
+  options.goals->max_area = HUGE_VAL;
   CAPTURE(degree, by_face);
   Mesh reproduced = mesh;
   const double linear = integral_of(mesh, 0, 0), noise = integral_of(mesh, 1, 0);
@@ -291,7 +294,7 @@ TEST_CASE("knots that Douglas-Peucker needs stay, so that the polygon's shape do
   const BSpline was = mesh.spline(0);
   CoarsenOptions options = options_for(mesh, 1);
   options.step_tolerance = options.tolerance;
-  options.goals.min_angle = 0;
+  options.goals->min_angle = 0;
   Mesh loose = mesh;
   coarsen(loose, options);
   options.polygon_tolerance = 0.01;

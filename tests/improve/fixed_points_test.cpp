@@ -46,10 +46,10 @@ RandomCase random_case(int seed) {
   if (chance(0.4)) goals.max_turning = uniform(20, 90) * std::numbers::pi / 180;
   drawn.coarse.goals = drawn.fine.goals = goals;
   drawn.coarse.tolerance = std::exp(uniform(std::log(1e-4), std::log(0.03))) * drawn.mesh.size();
-  drawn.coarse.step_tolerance = uniform(0.1, 1) * drawn.coarse.tolerance;
+  drawn.coarse.step_tolerance = uniform(0.1, 1) * *drawn.coarse.tolerance;
   if (chance(0.7)) {  // too fine for what is asked
     RefineOptions finer = drawn.fine;
-    finer.goals.max_area = std::min(goals.max_area, area / 20) / uniform(1, 6);
+    finer.goals->max_area = std::min(goals.max_area, area / 20) / uniform(1, 6);
     refine(drawn.mesh, finer);
   }
   const int steps = chance(0.5) ? static_cast<int>(uniform(1, 4)) : 0;
@@ -102,7 +102,7 @@ TEST_CASE("vertices stay whose removal would let refine succeed on what it had l
   QualityGoals goals = goals_of(chase.mesh, [](const Point& p, double) { return 0.4203 + 0.2 * std::fabs(p.x - 0.3); });
   chase.coarse.goals = chase.fine.goals = goals;
   chase.coarse.tolerance = 1e-3 * chase.mesh.size();
-  chase.coarse.step_tolerance = 0.1 * chase.coarse.tolerance;
+  chase.coarse.step_tolerance = 0.1 * *chase.coarse.tolerance;
   refine(chase.mesh, chase.fine);
   CHECK(value_of(refine(chase.mesh, chase.fine), "insertions") == 0);
   for (int round = 0; round < 2; ++round) {

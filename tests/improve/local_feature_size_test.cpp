@@ -14,7 +14,8 @@ namespace {
 Mesh refined(const BoundaryComplex& boundary, int degree, double share) {
   Mesh mesh = mesh_of(boundary, degree);
   RefineOptions options;
-  options.goals.max_area = share * area_of(mesh);
+  options.goals.emplace();
+  options.goals->max_area = share * area_of(mesh);
   refine(mesh, options);
   return mesh;
 }

@@ -61,7 +61,8 @@ inline Mesh nearly_straight(int degree, double bend, std::uint64_t seed) {
   }
   Mesh mesh = mesh_of(boundary, degree);
   RefineOptions options;
-  options.goals.max_area = 0.01;
+  options.goals.emplace();
+  options.goals->max_area = 0.01;
   refine(mesh, options);
   lay_nearly_straight(mesh, 0, random);
   constexpr double thin = 0.25;

@@ -17,14 +17,16 @@ PassReport run_pass(int pass, Mesh& mesh, double area) {
   if (pass == 0) return enforce_delaunay(mesh);
   if (pass == 1) {
     RefineOptions options;
-    options.goals.max_area = area / 120;
+    options.goals.emplace();
+    options.goals->max_area = area / 120;
     return refine(mesh, options);
   }
   if (pass == 2) {
     CoarsenOptions options;
-    options.goals.max_area = area / 30;
+    options.goals.emplace();
+    options.goals->max_area = area / 30;
     options.tolerance = 0.01 * mesh.size();
-    options.step_tolerance = options.tolerance / 4;
+    options.step_tolerance = *options.tolerance / 4;
     return coarsen(mesh, options);
   }
   SmoothOptions options;

@@ -50,7 +50,7 @@ TEST_CASE("refining a refined mesh does nothing, and every element left has a re
       mesh.compact();
       RefineOptions options;
       options.goals = random_goals(mesh, random);
-      CAPTURE(options.goals.min_angle, options.goals.max_area);
+      CAPTURE(options.goals->min_angle, options.goals->max_area);
       const PassReport first = refine(mesh, options);
       const std::string text = text_of(mesh);
       long reasons = 0;
@@ -69,17 +69,18 @@ TEST_CASE("what asks for more triangles than allowed is refused beforehand or on
   const Mesh mesh = mesh_of(samples::interface(2), 2);
   const double area = area_of(mesh);
   RefineOptions options;
+  options.goals.emplace();
   options.max_triangles = 1000;
-  SECTION("by area, beforehand") { options.goals.max_area = area / 1001; }
+  SECTION("by area, beforehand") { options.goals->max_area = area / 1001; }
   SECTION("by the area of one face, beforehand") {
-    options.goals.face_area.assign(mesh.boundary().faces.size(), HUGE_VAL);
-    options.goals.face_area.front() = 1e-12 * area;
+    options.goals->face_area.assign(mesh.boundary().faces.size(), HUGE_VAL);
+    options.goals->face_area.front() = 1e-12 * area;
   }
   SECTION("by size, beforehand") {
-    options.goals.size = [](const Point&, double) { return 1e-9; };
+    options.goals->size = [](const Point&, double) { return 1e-9; };
   }
-  SECTION("by turning, beforehand") { options.goals.max_turning = 1e-6; }
-  SECTION("on the way") { options.goals.max_area = area / 700; }
+  SECTION("by turning, beforehand") { options.goals->max_turning = 1e-6; }
+  SECTION("on the way") { options.goals->max_area = area / 700; }
   Mesh refined = mesh;
   CHECK_THROWS_AS(refine(refined, options), TooManyTriangles);
 }
@@ -107,7 +108,7 @@ TEST_CASE("the least count is one: no refined mesh has fewer triangles", "[impro
       Mesh mesh = mesh_of(sample.boundary, degree);
       RefineOptions options;
       options.goals = random_goals(mesh, random);
-      const double least = least_triangles(mesh, options.goals).triangles;
+      const double least = least_triangles(mesh, *options.goals).triangles;
       CAPTURE(k, least);
       const PassReport report = refine(mesh, options);
       if (value_of(report, "left") == 0) CHECK(mesh.triangle_count() >= least);

@@ -98,7 +98,8 @@ TEST_CASE("refinement keeps curves, area, linear functions and integrals", "[imp
     Mesh mesh = mesh_of(sample.boundary, degree, by_face);
     const Mesh before = mesh;
     RefineOptions options;
-    options.goals.max_area = area_of(mesh) / 100;
+    options.goals.emplace();
+    options.goals->max_area = area_of(mesh) / 100;
     refine(mesh, options);
     REQUIRE(mesh.triangle_count() > before.triangle_count());
     for (CurveId c = 0; c < static_cast<CurveId>(mesh.boundary().curves.size()); ++c) {
@@ -127,7 +128,8 @@ TEST_CASE("a mesh that was refined is left as it is", "[improve]") {
     CAPTURE(degree, sample.name);
     Mesh mesh = mesh_of(sample.boundary, degree);
     RefineOptions options;
-    options.goals.max_area = area_of(mesh) / 60;
+    options.goals.emplace();
+    options.goals->max_area = area_of(mesh) / 60;
     if (value_of(refine(mesh, options), "left") > 0) continue;
     const std::string text = text_of(mesh);
     CHECK(value_of(refine(mesh, options), "insertions") == 0);
@@ -140,13 +142,14 @@ TEST_CASE("no more points are inserted than allowed, and none closer than the le
   const int degree = GENERATE(1, 2, 3);
   Mesh mesh = mesh_of(samples::interface(degree), degree);
   RefineOptions options;
-  options.goals.max_area = 1e-4;
+  options.goals.emplace();
+  options.goals->max_area = 1e-4;
   options.max_insertions = 37;
   CHECK(value_of(refine(mesh, options), "insertions") == 37);
   check_left(mesh);
 
   options.max_insertions = 1'000'000;
-  options.goals.min_size = 0.05;
+  options.goals->min_size = 0.05;
   const auto least_distance = [](const Mesh& of) {
     double least = HUGE_VAL;
     for (const HalfEdgeId h : of.half_edges())
@@ -167,7 +170,8 @@ TEST_CASE("refinement ends at small angles of the boundary, even at a cusp", "[i
   if (height == 0) boundary.cusps = {0};
   Mesh mesh = mesh_of(boundary, 3);
   RefineOptions options;
-  options.goals.max_area = area_of(mesh) / 100;
+  options.goals.emplace();
+  options.goals->max_area = area_of(mesh) / 100;
   const PassReport report = refine(mesh, options);
   check_left(mesh);
   CHECK(mesh.triangle_count() < 20000);

@@ -56,7 +56,8 @@ double unevenness(const std::vector<std::vector<double>>& rows, const std::vecto
 Mesh refined(const Sample& sample, int degree, double parts) {
   Mesh mesh = mesh_of(sample.boundary, degree);
   RefineOptions options;
-  options.goals.max_area = area_of(mesh) / parts;
+  options.goals.emplace();
+  options.goals->max_area = area_of(mesh) / parts;
   refine(mesh, options);
   straighten_edges(mesh);
   return mesh;

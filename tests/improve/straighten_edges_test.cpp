@@ -31,7 +31,8 @@ TEST_CASE("inner edges are straight afterwards, or cannot be without making an e
     CAPTURE(degree, sample.name);
     Mesh mesh = mesh_of(sample.boundary, degree);
     RefineOptions options;
-    options.goals.max_area = area_of(mesh) / 150;
+    options.goals.emplace();
+    options.goals->max_area = area_of(mesh) / 150;
     refine(mesh, options);
     const double area = area_of(mesh);
     const StraightenCounts counts = straighten_edges(mesh);

@@ -15,7 +15,8 @@ namespace pliant::improve_meshes {
 inline Mesh refined(const Sample& sample, int degree, int elements) {
   Mesh mesh = mesh_of(sample.boundary, degree);
   RefineOptions options;
-  options.goals.max_area = area_of(mesh) / elements;
+  options.goals.emplace();
+  options.goals->max_area = area_of(mesh) / elements;
   refine(mesh, options);
   return mesh;
 }

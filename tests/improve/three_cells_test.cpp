@@ -35,7 +35,7 @@ void repair(Mesh& mesh) {
   CoarsenOptions coarse;
   coarse.goals = fine.goals;
   coarse.tolerance = 1e-3 * mesh.size();
-  coarse.step_tolerance = 0.1 * coarse.tolerance;
+  coarse.step_tolerance = 0.1 * *coarse.tolerance;
   coarse.keep_area = true;
   coarsen(mesh, coarse);
   check_left(mesh);

@@ -110,11 +110,16 @@ inline Pipe repeated(const Pipe& pipe, int times) {
   return all;
 }
 
+/// The text of a file in samples/.
+inline std::string sample(const std::string& name) {
+  std::ifstream file(std::string(PLIANT_SOURCE "/samples/") + name, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
 /// The meshed sample with three cells in a channel, of some degree.
 inline std::string three_cells(int degree) {
-  std::ifstream file(PLIANT_SOURCE "/samples/three-cells/cells.json", std::ios::binary);
-  const std::string boundary{std::istreambuf_iterator<char>(file), {}};
-  return output_of({{"bspline2mesh", "--degree", std::to_string(degree), "--max-turning", "40"}}, boundary);
+  return output_of({{"bspline2mesh", "--degree", std::to_string(degree), "--max-turning", "40"}},
+                   sample("three-cells/cells.json"));
 }
 
 }  // namespace pliant::testing

@@ -3,33 +3,14 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <cmath>
 #include <stdexcept>
 
 #include "options/expression.h"
 #include "options/numbers.h"
-#include "pliant/boundary/boundary_spans.h"
-#include "pliant/geometry/describe.h"
+#include "pliant/mesh/override_criteria.h"
 #include "run/exit_status.h"
 
 namespace pliant {
-
-namespace {
-
-/// A size must be a length at every vertex; infinite asks for nothing.   Throws std::invalid_argument with the place
-void require_lengths(const Mesh& mesh, const SizeFunction& size) {
-  for (PointId v = 0; v < mesh.point_slots(); ++v) {
-    if (!mesh.is_vertex(v)) continue;
-    const Point place = mesh.boundary().unit * mesh.point(v);  // in the document
-    const double wanted = size(place, mesh.time);
-    if (!(wanted > 0))
-      throw std::invalid_argument("the wanted length is " +
-                                  (std::isnan(wanted) ? "no number" : describe_number(wanted)) + " at " +
-                                  describe_point(place) + "; it should be above zero");
-  }
-}
-
-}  // namespace
 
 SizeFunction compile_size(const std::string& text) {
   return [size = Expression(text)](const Point& p, double time) { return size(p.x, p.y, time); };
@@ -84,23 +65,11 @@ void CriteriaOptions::check() {
 }
 
 void CriteriaOptions::apply(Criteria& criteria, const BoundaryComplex& boundary) const {
-  if (given_.min_angle) criteria.min_angle = given_.min_angle;
-  if (given_.max_area) criteria.max_area = given_.max_area;
-  for (const auto& bound : given_.face_area) {
-    if (find_face(boundary, bound.first) == outside)
-      throw UsageError("--face-area: the mesh has no face '" + bound.first + "'");
-    const auto old = std::find_if(criteria.face_area.begin(), criteria.face_area.end(),
-                                  [&](const auto& other) { return other.first == bound.first; });
-    if (old == criteria.face_area.end())
-      criteria.face_area.push_back(bound);
-    else
-      old->second = bound.second;
+  try {
+    override_criteria(criteria, given_, boundary);
+  } catch (const std::invalid_argument& e) {
+    throw UsageError(std::string("--face-area: ") + e.what());
   }
-  if (given_.size) criteria.size = given_.size;
-  if (given_.size_field) criteria.size_field = given_.size_field;
-  if (given_.max_turning) criteria.max_turning = given_.max_turning;
-  if (given_.keeps_thin) criteria.keeps_thin = given_.keeps_thin;
-  if (given_.min_size) criteria.min_size = given_.min_size;
 }
 
 QualityGoals CriteriaOptions::goals(Mesh& mesh) const {

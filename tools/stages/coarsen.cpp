@@ -7,13 +7,6 @@
 #include "options/refit_option.h"
 
 namespace pliant {
-namespace {
-
-constexpr double default_tolerance = 1e-3;  // of the mesh's size
-constexpr double default_share = 0.1;       // of the tolerance, for one removal
-
-}  // namespace
-
 void CoarsenStage::add_options(CLI::App& app) {
   criteria_.add(app);
   app.add_option("--tolerance", tolerance_,
@@ -56,9 +49,9 @@ PassReport CoarsenStage::run(Mesh& mesh, const StageContext&) const {
   CoarsenOptions options = options_;
   options.goals = criteria_.goals(mesh);
   const double unit = mesh.boundary().unit;
-  options.tolerance = tolerance_ ? options_.tolerance / unit : default_tolerance * mesh.size();
-  options.step_tolerance = step_tolerance_ ? options_.step_tolerance / unit : default_share * options.tolerance;
-  options.polygon_tolerance = options_.polygon_tolerance / unit;
+  if (options.tolerance) *options.tolerance /= unit;
+  if (options.step_tolerance) *options.step_tolerance /= unit;
+  options.polygon_tolerance /= unit;
   return coarsen(mesh, options);
 }
 

@@ -21,7 +21,7 @@ PassReport RefineStage::run(Mesh& mesh, const StageContext& context) const {
   RefineOptions options = options_;
   options.goals = criteria_.goals(mesh);
   options.progress = context.progress;
-  warn_of_thin_gaps(mesh, options.goals, context.say);
+  warn_of_thin_gaps(mesh, *options.goals, context.say);
   return refine(mesh, options);
 }
 

@@ -18,23 +18,25 @@
 namespace pliant {
 namespace {
 
-constexpr double gradation = 0.7;  // Lipschitz bound of the wanted length
-constexpr double growth = 1.8;     // of lengths in a round
-constexpr int most_rounds = 40;    // of choosing what stays
-constexpr int most_attempts = 5;   // to find what must stay so that refine leaves what it left
-constexpr long worthwhile = 1000;  // a round is worth another if it removed one vertex in so many triangles
+constexpr double gradation = 0.7;           // Lipschitz bound of the wanted length
+constexpr double growth = 1.8;              // of lengths in a round
+constexpr int most_rounds = 40;             // of choosing what stays
+constexpr int most_attempts = 5;            // to find what must stay so that refine leaves what it left
+constexpr double default_tolerance = 1e-3;  // of the mesh's size
+constexpr double default_step_share = 0.1;  // of the tolerance
+constexpr long worthwhile = 1000;           // a round is worth another if it removed one vertex in so many triangles
 
 class Coarsener {
  public:
-  /// `frozen`: by point slot, what stays whatever happens.
+  /// `options`: resolved; `frozen`: by point slot, what stays whatever happens.
   Coarsener(Mesh& mesh, const CoarsenOptions& options, const std::vector<bool>& frozen)
       : mesh_(mesh),
         options_(options),
         frozen_(frozen),
-        limits_{options.goals,
-                {options.tolerance, options.step_tolerance, options.keep_area, options.goals.max_turning},
+        limits_{*options.goals,
+                {*options.tolerance, *options.step_tolerance, options.keep_area, options.goals->max_turning},
                 options.refit,
-                accepted_shape(options.goals),
+                accepted_shape(*options.goals),
                 options.uses_forecast},
         chain_(mesh, limits_, slated_),
         changed_(index(mesh.point_slots()), 0) {
@@ -88,7 +90,7 @@ class Coarsener {
         bounds[k] = std::min(bounds[k], options_.feature_share * features[k]);
     }
     const VertexGraph graph(mesh_);
-    const std::vector<double> spacing = wanted_spacing(mesh_, graph, chains, roles_, options_.goals, bounds, gradation);
+    const std::vector<double> spacing = wanted_spacing(mesh_, graph, chains, roles_, limits_.goals, bounds, gradation);
     const std::vector<bool> chosen = independent_set(mesh_, graph, chains, roles_, spacing, stuck, options_.factor);
     slated_.assign(chosen.size(), false);
     for (PointId v = 0; v < mesh_.point_slots(); ++v) slated_[index(v)] = mesh_.is_vertex(v) && !chosen[index(v)];
@@ -258,10 +260,19 @@ bool freeze(const Mesh& mesh, const std::vector<PointId>& removed, const std::ve
   return any;
 }
 
+/// The options with what their absence means for this mesh.
+CoarsenOptions resolve(CoarsenOptions options, const Mesh& mesh) {
+  if (!options.goals) options.goals = goals_of(mesh);
+  if (!options.tolerance) options.tolerance = default_tolerance * mesh.size();
+  if (!options.step_tolerance) options.step_tolerance = default_step_share * *options.tolerance;
+  return options;
+}
+
 }  // namespace
 
-PassReport coarsen(Mesh& mesh, const CoarsenOptions& options) {
-  LeftByRefine left(mesh, options.goals);
+PassReport coarsen(Mesh& mesh, const CoarsenOptions& asked) {
+  const CoarsenOptions options = resolve(asked, mesh);
+  LeftByRefine left(mesh, *options.goals);
   std::vector<bool> frozen(index(mesh.point_slots()), false);
   for (int attempt = 0;; ++attempt) {
     Coarsener coarsener(mesh, options, frozen);

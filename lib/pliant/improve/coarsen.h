@@ -1,5 +1,7 @@
 // lib/pliant/improve/coarsen.h: remove vertices that neither size nor geometry needs (paper §5.3.3).
 #pragma once
+#include <optional>
+
 #include "pliant/improve/sizing.h"
 #include "pliant/mesh/pass_report.h"
 #include "pliant/ops/refit_options.h"
@@ -7,13 +9,14 @@
 namespace pliant {
 
 struct CoarsenOptions {
-  QualityGoals goals;
-  double tolerance = HUGE_VAL;       ///< bound of each curve's accumulated knot-removal error (length)
-  double step_tolerance = HUGE_VAL;  ///< bound of the error of one removal (length)
-  double polygon_tolerance = 0;      ///< Douglas-Peucker on the control polygons (length); 0: geometry does not decide
-  double feature_share = 0;          ///< no length above this part of the local feature size; 0: not asked
-  double factor = 1.0;               ///< scales the spheres of the sizing function
-  bool keep_area = false;            ///< removals keep the area enclosed by their curve
+  std::optional<QualityGoals> goals;  ///< absent: those of the mesh's criteria (goals_of)
+  /// Bound of each curve's accumulated knot-removal error (length); absent: 1e-3 of the mesh's size.
+  std::optional<double> tolerance;
+  std::optional<double> step_tolerance;  ///< bound of the error of one removal (length); absent: a tenth of `tolerance`
+  double polygon_tolerance = 0;  ///< Douglas-Peucker on the control polygons (length); 0: geometry does not decide
+  double feature_share = 0;      ///< no length above this part of the local feature size; 0: not asked
+  double factor = 1.0;           ///< scales the spheres of the sizing function
+  bool keep_area = false;        ///< removals keep the area enclosed by their curve
   RefitOptions refit;
   bool uses_forecast = true;  ///< false: every removal is tried on the mesh itself; for tests
 };
@@ -32,6 +35,8 @@ struct CoarsenOptions {
 ///
 /// With bounds on size some (4/sqrt(3)) times the integral of 1/length² triangles are
 /// left.
-PassReport coarsen(Mesh& mesh, const CoarsenOptions& options);
+///
+/// Throws       std::invalid_argument as goals_of
+PassReport coarsen(Mesh& mesh, const CoarsenOptions& options = {});
 
 }  // namespace pliant

@@ -63,8 +63,8 @@ class Round {
  public:
   Round(Mesh& mesh, const RefineOptions& options, Tally& tally)
       : mesh_(mesh), options_(options), tally_(tally), locator_(mesh), corners_(mesh), search_(mesh) {
-    floor_ = std::max({options.goals.min_size, default_floor * mesh.size(), 4 * mesh.tolerance()});
-    most_ratio_ = 1 / (2 * std::sin(options.goals.min_angle * std::numbers::pi / 180));
+    floor_ = std::max({options.goals->min_size, default_floor * mesh.size(), 4 * mesh.tolerance()});
+    most_ratio_ = 1 / (2 * std::sin(options.goals->min_angle * std::numbers::pi / 180));
   }
 
   void run() {
@@ -75,7 +75,7 @@ class Round {
       if (!entry) return;
       const auto& [t, corners] = *entry;
       if (!mesh_.is_alive(t) || corners_of(mesh_, t) != corners) continue;
-      const Attack attack = attack_on(mesh_, t, options_.goals);
+      const Attack attack = attack_on(mesh_, t, *options_.goals);
       if (attack.reason) treat(t, attack);
       if (options_.progress != nullptr) options_.progress->count(tally_.points());
       const bool has_inserted = !star_.outgoing.empty();  // a mesh may have had more before
@@ -90,7 +90,7 @@ class Round {
  private:
   void enqueue(TriangleId t) {
     if (!mesh_.is_alive(t)) return;
-    const Attack attack = attack_on(mesh_, t, options_.goals);
+    const Attack attack = attack_on(mesh_, t, *options_.goals);
     if (attack.reason) queue_.push(attack.excess, {t, corners_of(mesh_, t)});
   }
   void give_up(TriangleId t, const char* reason) { tally_.left[corners_of(mesh_, t)] = reason; }
@@ -284,7 +284,7 @@ std::vector<TriangleId> find_poor(const Mesh& mesh, const QualityGoals& goals) {
 
 /// Removes what would keep poor triangles from being flipped.
 void tame_poor(Mesh& mesh, const RefineOptions& options, Tally& tally) {
-  const std::vector<TriangleId> poor = find_poor(mesh, options.goals);
+  const std::vector<TriangleId> poor = find_poor(mesh, *options.goals);
   if (poor.empty()) return;
   long most = options.max_triangles;  // a cut makes one or two more
   if (options.max_insertions) most = std::min(most, mesh.triangle_count() + *options.max_insertions - tally.points());
@@ -321,10 +321,12 @@ PassReport report_of(const Mesh& mesh, const std::vector<TriangleId>& left, cons
 
 }  // namespace
 
-PassReport refine(Mesh& mesh, const RefineOptions& options) {
+PassReport refine(Mesh& mesh, const RefineOptions& asked) {
+  RefineOptions options = asked;
+  if (!options.goals) options.goals = goals_of(mesh);
   if (options.progress != nullptr)
-    options.progress->start("refine", "points", expected_insertions(mesh, options.goals));
-  require_within_budget(mesh, options.goals, options.max_triangles);
+    options.progress->start("refine", "points", expected_insertions(mesh, *options.goals));
+  require_within_budget(mesh, *options.goals, options.max_triangles);
   Tally tally;
   std::vector<TriangleId> left;
   long before = 0;
@@ -337,7 +339,7 @@ PassReport refine(Mesh& mesh, const RefineOptions& options) {
       mesh.renumber();
     else
       mesh.compact();
-    left = find_left(mesh, options.goals);
+    left = find_left(mesh, *options.goals);
   } while (!left.empty() && tally.points() > before);
   return report_of(mesh, left, tally);
 }

@@ -10,7 +10,7 @@
 namespace pliant {
 
 struct RefineOptions {
-  QualityGoals goals;
+  std::optional<QualityGoals> goals;   ///< absent: those of the mesh's criteria (goals_of)
   std::optional<long> max_insertions;  ///< ends after so many insertions, and tells what is left
   long max_triangles = 10'000'000;     ///< more than so many are an error
   RefitOptions refit;
@@ -28,9 +28,10 @@ struct RefineOptions {
 /// that can be kept this is what holds anyway (Ruppert); where curved edges, small angles or a greater bound spoil
 /// that, it is what ends the refinement.
 ///
-/// Throws      TooManyTriangles (triangle_budget.h) beforehand, where a lower bound of what the goals ask for exceeds
+/// Throws      std::invalid_argument as goals_of; TooManyTriangles (triangle_budget.h) beforehand, where a lower bound
+/// of what the goals ask for exceeds
 ///             `max_triangles`, or as soon as there are more; the mesh is then unspecified
-PassReport refine(Mesh& mesh, const RefineOptions& options);
+PassReport refine(Mesh& mesh, const RefineOptions& options = {});
 
 /// Why `refine` would attack this triangle: "too large", "too poor", "too curved", or null.
 const char* refine_reason(const Mesh& mesh, TriangleId t, const QualityGoals& goals);

@@ -5,6 +5,9 @@
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
+#include <string>
+
+#include "pliant/geometry/describe.h"
 
 namespace pliant {
 namespace {
@@ -77,6 +80,24 @@ QualityGoals goals_of(const Mesh& mesh, SizeFunction size) {
   goals.keeps_thin = criteria.keeps_thin.value_or(goals.keeps_thin);
   if (criteria.min_size) goals.min_size = *criteria.min_size / unit;
   return goals;
+}
+
+QualityGoals goals_of(const Mesh& mesh) {
+  if (mesh.criteria.size)
+    throw std::invalid_argument("the criteria have a size expression; give the goals with its function");
+  return goals_of(mesh, {});
+}
+
+void require_lengths(const Mesh& mesh, const SizeFunction& size) {
+  for (PointId v = 0; v < mesh.point_slots(); ++v) {
+    if (!mesh.is_vertex(v)) continue;
+    const Point place = mesh.boundary().unit * mesh.point(v);  // in the document
+    const double wanted = size(place, mesh.time);
+    if (!(wanted > 0))
+      throw std::invalid_argument("the wanted length is " +
+                                  (std::isnan(wanted) ? "no number" : describe_number(wanted)) + " at " +
+                                  describe_point(place) + "; it should be above zero");
+  }
 }
 
 }  // namespace pliant

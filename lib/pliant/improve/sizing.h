@@ -37,5 +37,12 @@ struct QualityGoals {
 /// the values of the size field, are in the document's units; the goals are in those of the mesh.
 /// Throws      std::invalid_argument where criteria.size_field names no field of one component
 QualityGoals goals_of(const Mesh& mesh, SizeFunction size);
+/// The same where the criteria have no size expression: what passes go by whose options have no goals.
+/// Throws      std::invalid_argument where they have one, whose function only the caller can know
+QualityGoals goals_of(const Mesh& mesh);
+
+/// Throws std::invalid_argument, with the place, where `size`, in units of the document, is no length at a vertex: it
+/// must be above zero; infinite asks for nothing.
+void require_lengths(const Mesh& mesh, const SizeFunction& size);
 
 }  // namespace pliant

@@ -32,6 +32,14 @@ struct PassReport {
     lengths.push_back(values.size());
     add(std::move(name), value);
   }
+  /// Appends the report of a pass that came after.
+  void append(const PassReport& later) {
+    for (const std::size_t k : later.lengths) lengths.push_back(values.size() + k);
+    values.insert(values.end(), later.values.begin(), later.values.end());
+    refusals.insert(refusals.end(), later.refusals.begin(), later.refusals.end());
+    refused_at.insert(refused_at.end(), later.refused_at.begin(), later.refused_at.end());
+    notes.insert(notes.end(), later.notes.begin(), later.notes.end());
+  }
   /// Counts a refusal `times` times; returns how often its reason has been counted so far.
   long refuse(const std::string& reason, long times = 1) {
     for (auto& [name, count] : refusals)

@@ -1,5 +1,6 @@
 // lib/pliant/quality/too_curved.h: decides whether an element is too curved, and by how much (paper §5.3.4).
 #pragma once
+#include <numbers>
 #include <span>
 
 #include "pliant/geometry/point.h"
@@ -9,11 +10,11 @@ namespace pliant {
 /// An element is too curved if one of its measures (element_quality.h) is beyond its bound here. The defaults are those
 /// of smoothcurves.
 struct CurvatureBounds {
-  double max_distortion = 1.1;        ///< greatest distortion D
-  double max_peak = 2.0;              ///< greatest jacobian_peak
-  double min_shape_ratio = 0.5;       ///< least curved shape, divided by |tau| of the logical triangle
-  double max_turning = 1.5707963268;  ///< greatest angle by which an edge turns (radians)
-  double min_scaled_jacobian = 0.3;   ///< least scaled Jacobian
+  double max_distortion = 1.1;                       ///< greatest distortion D
+  double max_peak = 2.0;                             ///< greatest jacobian_peak
+  double min_shape_ratio = 0.5;                      ///< least curved shape, divided by |tau| of the logical triangle
+  double max_turning = 90 * std::numbers::pi / 180;  ///< greatest angle by which an edge turns (radians)
+  double min_scaled_jacobian = 0.3;                  ///< least scaled Jacobian
 };
 
 /// An element whose excess is at least this is not known to be valid; an element with less is certified.

@@ -31,7 +31,7 @@ int main() {
     return 1;
   }
   pliant::RefineOptions options;
-  options.goals.max_area = 0.01;
+  options.goals.emplace().max_area = 0.01;
   pliant::refine(mesh, options);
 
   const pliant::MeshData data = mesh.to_data();
