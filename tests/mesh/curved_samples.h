@@ -63,7 +63,7 @@ inline Mesh meshed(const BoundaryComplex& boundary, int degree, double area = 0)
   REQUIRE(outcome.ok);
   if (area > 0) {
     RefineOptions options;
-    options.goals.max_area = area;
+    options.goals.emplace().max_area = area;
     refine(mesh, options);
   }
   return mesh;
