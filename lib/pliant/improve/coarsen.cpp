@@ -1,4 +1,5 @@
-// lib/pliant/improve/coarsen.cpp: remove vertices that neither size nor geometry needs (paper §5.3.3).
+// lib/pliant/improve/coarsen.cpp: rounds that choose what stays and try to remove the rest, in the light of what refine
+// would do.
 #include "pliant/improve/coarsen.h"
 
 #include <algorithm>
@@ -18,17 +19,17 @@
 namespace pliant {
 namespace {
 
-constexpr double gradation = 0.7;           // Lipschitz bound of the wanted length
-constexpr double growth = 1.8;              // of lengths in a round
-constexpr int most_rounds = 40;             // of choosing what stays
-constexpr int most_attempts = 5;            // to find what must stay so that refine leaves what it left
-constexpr double default_tolerance = 1e-3;  // of the mesh's size
-constexpr double default_step_share = 0.1;  // of the tolerance
-constexpr long worthwhile = 1000;           // a round is worth another if it removed one vertex in so many triangles
+constexpr double gradation = 0.7;  // Lipschitz constant of the wanted length
+constexpr double growth = 1.8;     // a round wants edges at most this many times as long as the longest at a vertex
+constexpr int most_rounds = 40;    // rounds of choosing what stays and removing the rest
+constexpr int most_attempts = 5;   // attempts to find the vertices that must stay so that refine has nothing new to do
+constexpr double default_tolerance = 1e-3;  // the default bound of all removals, as a share of the mesh's size
+constexpr double default_step_share = 0.1;  // the default bound of one removal, as a share of the bound of all
+constexpr long worthwhile = 1000;  // another round follows one that has removed a vertex for each so many triangles
 
 class Coarsener {
  public:
-  /// `options`: resolved; `frozen`: by point slot, what stays whatever happens.
+  /// `options`: resolved; `frozen`: by point slot, true for vertices that are not to be removed.
   Coarsener(Mesh& mesh, const CoarsenOptions& options, const std::vector<bool>& frozen)
       : mesh_(mesh),
         options_(options),
@@ -44,7 +45,7 @@ class Coarsener {
   }
 
   PassReport run() {
-    bool is_afresh = true;  // nothing stuck from a round before: what a new run would do first
+    bool is_afresh = true;  // no vertices stuck in an earlier round are preferred: the first round of a new run
     for (int round = 0; round < most_rounds; ++round) {
       const long before = removals();
       parity_ = is_afresh ? 0 : 1 - parity_;
@@ -65,12 +66,12 @@ class Coarsener {
     return report;
   }
 
-  /// In the numbers that the mesh had at first.
+  /// The removed vertices, by the numbers that the mesh had at first.
   const std::vector<PointId>& removed() const { return removed_; }
 
  private:
-  /// What stays. What could not go in the last round comes first: on curves it is part of the geometry by now, inside
-  /// it may let others go.
+  /// Chooses the vertices that stay and slates the others. Those that could not be removed in the last round come
+  /// first: on curves they now count as needed by the geometry; inside, choosing them may let others be removed.
   void choose() {
     const std::vector<CurveChain> chains = curve_chains(mesh_);
     roles_ = vertex_roles(mesh_, chains, options_.polygon_tolerance);
@@ -95,7 +96,7 @@ class Coarsener {
     slated_.assign(chosen.size(), false);
     for (PointId v = 0; v < mesh_.point_slots(); ++v) slated_[index(v)] = mesh_.is_vertex(v) && !chosen[index(v)];
   }
-  /// At each vertex.
+  /// The longest edge at each vertex, by point slot.
   std::vector<double> longest_edges() const {
     std::vector<double> longest(index(mesh_.point_slots()), 0);
     for (const HalfEdgeId h : mesh_.half_edges()) {
@@ -109,7 +110,8 @@ class Coarsener {
   }
   bool is_slated(PointId v) const { return slated_[index(v)] && mesh_.is_vertex(v); }
 
-  /// One by one; what was refused is tried again when something around it has changed.
+  /// Removes slated vertices one by one. A vertex whose removal was refused is tried again when something around it has
+  /// changed.
   void remove_slated() {
     std::vector<PointId> queue = slated_in_order();
     refused_.clear();
@@ -129,7 +131,7 @@ class Coarsener {
   }
   long removals() const { return static_cast<long>(removed_.size()); }
 
-  /// Along Hilbert's curve, which keeps the work in one place of the memory.
+  /// The slated vertices along Hilbert's curve, so that one follows another that is near it in memory.
   std::vector<PointId> slated_in_order() const {
     const HilbertOrder order(mesh_.box(), 16);
     std::vector<std::pair<std::uint64_t, PointId>> places;
@@ -161,7 +163,7 @@ class Coarsener {
     note_changes();
   }
 
-  /// A removal that was refused would be refused again as long as what decided it has not changed.
+  /// Remembers a refusal, since the removal would be refused again as long as what decided it has not changed.
   void remember(PointId v, const RemovalRefusal& refusal) {
     Memory& memory = memories_[index(parity_)][index(v)];
     memory.refusal = refusal;
@@ -182,7 +184,7 @@ class Coarsener {
            });
   }
 
-  /// What lies around the last removal is tried once more.
+  /// Notes what the last removal has changed, and queues the slated vertices there once more.
   void note_changes() {
     for (const PointId w : chain_.along_curves()) changed_[index(w)] = clock_;
     for (const TriangleId t : chain_.around()) {
@@ -223,7 +225,7 @@ class Coarsener {
   struct Memory {
     RemovalRefusal refusal;
     long when = 0;
-    std::vector<PointId> decided_by;  // twice the vertex, plus one if it was slated
+    std::vector<PointId> decided_by;  // for each vertex twice its number, plus one if it was slated
   };
 
   Mesh& mesh_;
@@ -231,23 +233,25 @@ class Coarsener {
   const std::vector<bool>& frozen_;
   std::vector<VertexRole> roles_;
   std::vector<bool> slated_, is_waiting_;
-  std::vector<PointId> waiting_;  // what to try once more
+  std::vector<PointId> waiting_;  // slated vertices to be tried once more
   std::vector<PointId> removed_;
-  std::vector<PointId> refused_;  // of this round
-  std::vector<PointId> stuck_;    // of the last one
+  std::vector<PointId> refused_;  // slated vertices that could not be removed in this round
+  std::vector<PointId> stuck_;    // the same of the last round
   RemovalChain::Limits limits_;
   RemovalChain chain_;
   // By vertex:
-  std::array<std::vector<Memory>, 2> memories_;  // of rounds in which much the same is slated: every other one
+  std::array<std::vector<Memory>, 2> memories_;  // one for even rounds and one for odd ones: every other round slates
+                                                 // much the same vertices
   int parity_ = 0;
-  std::vector<long> changed_;  // when its star last did, by the number of removals until then
+  std::vector<long> changed_;  // the time (clock_) of the last change of its star
   std::vector<PointId> decided_by_;
-  long clock_ = 0, inner_removals_ = 0, curve_removals_ = 0;
+  long clock_ = 0;  // counts removals
+  long inner_removals_ = 0, curve_removals_ = 0;
   double largest_error_ = 0, integral_change_ = 0;
 };
 
-/// Keeps the vertices whose removal may have let refine succeed, in a wider circle with every attempt; false if there
-/// are none, or it takes too long.
+/// Freezes the removed vertices near places where refine would now succeed: their removal may have let it. Every
+/// attempt looks in a circle twice as wide. False if there are none, or after too many attempts.
 bool freeze(const Mesh& mesh, const std::vector<PointId>& removed, const std::vector<LeftByRefine::Awakened>& awakened,
             int attempt, std::vector<bool>& frozen) {
   if (attempt == most_attempts) return false;

@@ -1,4 +1,4 @@
-// lib/pliant/improve/coarsen.h: remove vertices that neither size nor geometry needs (paper §5.3.3).
+// lib/pliant/improve/coarsen.h: removes vertices that neither sizes nor the geometry need (paper §5.3.3).
 #pragma once
 #include <optional>
 
@@ -10,33 +10,39 @@ namespace pliant {
 
 struct CoarsenOptions {
   std::optional<QualityGoals> goals;  ///< absent: those of the mesh's criteria (goals_of)
-  /// Bound of each curve's accumulated knot-removal error (length); absent: 1e-3 of the mesh's size.
+  /// Bound of each curve's accumulated error of knot removal (length); absent: 1e-3 of the mesh's size.
   std::optional<double> tolerance;
   std::optional<double> step_tolerance;  ///< bound of the error of one removal (length); absent: a tenth of `tolerance`
-  double polygon_tolerance = 0;  ///< Douglas-Peucker on the control polygons (length); 0: geometry does not decide
-  double feature_share = 0;      ///< no length above this part of the local feature size; 0: not asked
+  double polygon_tolerance = 0;  ///< tolerance of Douglas and Peucker's method, which picks the control points that
+                                 ///< a curve's shape needs (length); 0: no vertex is kept for that
+  double feature_share = 0;      ///< wanted lengths are at most this share of the local feature size; 0: no such bound
   double factor = 1.0;           ///< scales the spheres of the sizing function
   bool keep_area = false;        ///< removals keep the area enclosed by their curve
   RefitOptions refit;
-  bool uses_forecast = true;  ///< false: every removal is tried on the mesh itself; for tests
+  bool uses_forecast = true;  ///< false (for tests): every removal is tried on the mesh itself
 };
 
-/// Removes vertices: the wanted spacing (size bounds, made Lipschitz) chooses a maximal set with disjoint spheres that
-/// is kept, beside what the curves' geometry needs; the others are slated and removed one by one. Where a removal
-/// leaves a triangle which `refine` with the same goals would attack, slated corners of it go with it, as many as it
-/// takes; if that does not help all of it is rolled back, and vertices stay whose removal would let refine succeed on
-/// what it had left: so that the two never chase each other. No removal lowers the least shape of what it touches below
-/// what is accepted (removal_chain.h), nor below half of what it was. What stayed so is chosen first in another round.
-/// Most refusals are foretold (removal_forecast.h), or remembered from the round before.
+/// Removes vertices in rounds. A round chooses the vertices that stay: those that the curves' geometry needs, and a
+/// maximal set of others whose spheres are disjoint. The radius of a vertex's sphere is the wanted length of edges
+/// there (the bounds on size, made Lipschitz), scaled. All other vertices are *slated*, and removed one by one.
 ///
-/// Complexity   a round: 0.5 µs a triangle to choose, about 1 µs for each vertex tried, 10 to 20 µs for each removed;
-///              another follows where one has removed more than a vertex in 1,000 triangles, or in small meshes any.
-///              Where elements are left that refine would attack: refine's on a copy, too
+/// A removal is refused
+/// - where it leaves a triangle that `refine` with the same goals would attack, and did not before. First the slated
+///   corners of such a triangle are removed with it, as many as it takes; if that does not help, all are rolled back.
+/// - where it lowers the least shape of the elements that it touches below what is accepted (removal_chain.h), or below
+///   half of what that was.
+/// Most refusals are foretold (removal_forecast.h), or remembered from an earlier round. Vertices whose removal was
+/// refused are chosen first in the next round.
 ///
-/// With bounds on size some (4/sqrt(3)) times the integral of 1/length² triangles are
-/// left.
+/// A triangle that refine had given up may become one that it can mend when vertices around it go. Vertices that allow
+/// that are kept, too: so coarsen and refine never undo each other's work again and again.
 ///
-/// Throws       std::invalid_argument as goals_of
+/// With bounds on size about 4/sqrt(3) times the integral of 1/length² triangles are left.
+///
+/// Complexity  a round takes 0.5 µs for each triangle to choose, about 1 µs for each vertex tried, 10 to 20 µs for each
+///             one removed. Another round follows where one has removed at least a vertex in 1,000 triangles. Where
+///             elements are left that refine would attack, the time of refine on copies is added
+/// Throws      std::invalid_argument as goals_of
 PassReport coarsen(Mesh& mesh, const CoarsenOptions& options = {});
 
 }  // namespace pliant

@@ -1,4 +1,4 @@
-// lib/pliant/improve/enforce_delaunay.cpp: flips until the logical mesh is Delaunay (paper §5.3.1).
+// lib/pliant/improve/enforce_delaunay.cpp: finds the edges that want a flip by a quick test, then by the exact one.
 #include "pliant/improve/enforce_delaunay.h"
 
 #include <algorithm>
@@ -14,22 +14,23 @@ namespace pliant {
 
 namespace {
 
-/// Neighbours lie anywhere in memory, so what comes next is asked for early.
+/// Asks early for the memory that triangles a little further on will need, since their neighbours lie anywhere.
 void fetch_for([[maybe_unused]] const Mesh& mesh, [[maybe_unused]] TriangleId t,
-               [[maybe_unused]] const std::vector<float>& of_half_edges) {
+               [[maybe_unused]] const std::vector<float>& cotangents) {
 #ifdef __GNUC__
   constexpr TriangleId near = 16;
   if (t + near >= mesh.triangle_slots() || !mesh.is_alive(t + near)) return;
   for (int e = 0; e < 3; ++e) {
     const HalfEdgeId h = half_edge(t + near, e);
     __builtin_prefetch(&mesh.point(mesh.origin(h)));
-    if (mesh.twin(h) != none) __builtin_prefetch(&of_half_edges[index(mesh.twin(h))]);
+    if (mesh.twin(h) != none) __builtin_prefetch(&cotangents[index(mesh.twin(h))]);
   }
 #endif
 }
 
-/// Lower bounds of the cotangents of the angles opposite the three edges of a logical triangle; minus infinity where it
-/// is not certain to be positive. The error bounds are Shewchuk's, several times over, and what underflow may add.
+/// Lower bounds of the cotangents of the angles opposite the three edges of a logical triangle; minus infinity where
+/// the triangle is not certain to be positive. The error bounds are several times Shewchuk's, plus what underflow may
+/// add.
 std::array<float, 3> least_cotangents(const Mesh& mesh, TriangleId t) {
   constexpr double relative = 4e-15, absolute = 1e-300;
   constexpr float least = -std::numeric_limits<float>::infinity(), rounding = 2e-7f;
@@ -50,12 +51,12 @@ std::array<float, 3> least_cotangents(const Mesh& mesh, TriangleId t) {
   return {between(bc, ca), between(ca, ab), between(ab, bc)};
 }
 
-/// Calls `use` with every edge that is on no curve, once, and its state, unless it is certain to be Delaunay: where the
-/// angles opposite it add up to less than 180 degrees, which is where the sum of their cotangents is positive. So each
-/// triangle's points are read once, and of a neighbour one number.
+/// Calls `use` once for every edge that is on no curve and not certain to be Delaunay, with its state. An edge is
+/// Delaunay where the two angles opposite it add up to less than 180 degrees, that is where the sum of their cotangents
+/// is positive. So the points of each triangle are read once, and a single number of each neighbour.
 template <class Use>
 void for_each_doubtful(const Mesh& mesh, const Use& use) {
-  constexpr float positive = 1e-30f;  // well above what underflows
+  constexpr float positive = 1e-30f;  // a sum above this is surely positive: it is well above what underflow may add
   std::vector<float> cotangents(3 * static_cast<std::size_t>(mesh.triangle_slots()));
   for (TriangleId t = 0; t < mesh.triangle_slots(); ++t) {
     fetch_for(mesh, t, cotangents);
@@ -71,6 +72,7 @@ void for_each_doubtful(const Mesh& mesh, const Use& use) {
   }
 }
 
+/// The edges that are not Delaunay.
 struct Census {
   long not_delaunay = 0, inverted = 0;
   std::vector<HalfEdgeId> wanted;  ///< edges that want their flip
@@ -95,7 +97,7 @@ Point middle_of(const Mesh& mesh, HalfEdgeId h) {
   return middle;
 }
 
-/// Of the edges that still want their flip, those that did not get it; why and where.
+/// Reports the edges that still want their flip and were refused it, with the reason and the place.
 void list_refused(const Mesh& mesh, const std::vector<HalfEdgeId>& wanted, const std::vector<RefusedEdge>& refused,
                   PassReport& report) {
   std::map<std::pair<PointId, PointId>, Outcome> last;
@@ -113,7 +115,7 @@ PassReport enforce_delaunay(Mesh& mesh, const DelaunayOptions& options) {
   Census census = take_census(mesh);
   LegalizeCounts counts;
   counts.lists_edges = true;
-  for (long before = -1; !census.wanted.empty() && counts.flips > before;) {  // one edge's flip makes room for others
+  for (long before = -1; !census.wanted.empty() && counts.flips > before;) {  // a flip may make room for others
     before = counts.flips;
     std::vector<HalfEdgeId> stack(census.wanted.rbegin(), census.wanted.rend());  // the first is tried first
     legalize(mesh, stack, options.refit, counts, options.max_flips, nullptr, true);

@@ -12,13 +12,12 @@ struct DelaunayOptions {
 };
 
 /// Flips unconstrained edges until every one is locally Delaunay in the logical mesh (exact in-circle), or its flip was
-/// refused. A logical triangle that has turned over (a vertex has crossed an edge that bends round it) is flipped back
-/// where that makes both triangles positive; other edges whose old or new logical triangles are not all positive are
-/// left alone and counted.
+/// refused. Where a logical triangle has turned over (a vertex has crossed the chord of an edge that bends round it),
+/// an edge is flipped if that makes both triangles positive. Other edges whose old or new logical triangles are not all
+/// positive are left alone and counted.
 ///
-/// The report lists the refusals that lasted: edges of the mesh it leaves that still want their flip, with the reason
-/// and the middle of the edge. (Edges that were refused first and flipped later, or are Delaunay by now, are not in
-/// it.)
+/// The report lists the edges that still want their flip at the end, with the reason of the refusal and the middle of
+/// the edge. Edges that were refused at first and flipped later, or have become Delaunay, are not listed.
 ///
 /// Complexity  O(triangles + flips); a mesh with nothing to flip is only read
 PassReport enforce_delaunay(Mesh& mesh, const DelaunayOptions& options = {});

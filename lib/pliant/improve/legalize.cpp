@@ -1,4 +1,4 @@
-// lib/pliant/improve/legalize.cpp: is an edge locally Delaunay, and flips that make edges so.
+// lib/pliant/improve/legalize.cpp: the exact state of an edge; flips, with bent edges straightened before and after.
 #include "pliant/improve/legalize.h"
 
 #include <algorithm>
@@ -12,27 +12,28 @@
 namespace pliant {
 namespace {
 
-/// How far control points may be off an edge's chord, in lengths of the edge and in heights of the triangles beside it.
-struct Bend {
-  double of_length, of_height;
+/// How far control points may be off their straight places: in lengths of the edge, and in heights of the triangles
+/// beside it. An edge is bent beyond either.
+struct BendBound {
+  double in_lengths, in_heights;
 };
-constexpr Bend mild{0.1, 0.3}, bad{0.3, 0.9};
+constexpr BendBound mild{0.1, 0.3}, bad{0.3, 0.9};
 
-bool is_bent(const Mesh& mesh, HalfEdgeId h, const Bend& bend = mild) {
+bool is_bent(const Mesh& mesh, HalfEdgeId h, const BendBound& bound = mild) {
   const Point& a = mesh.point(mesh.origin(h));
   const Vector along = mesh.point(mesh.target(h)) - a;
-  const double off = squared_bend(mesh, h), length = squared_length(along);  // length: squared, too
-  if (off > bend.of_length * bend.of_length * length) return true;
+  const double off = squared_bend(mesh, h), length = squared_length(along);  // both squared
+  if (off > bound.in_lengths * bound.in_lengths * length) return true;
   const auto exceeds_height = [&](HalfEdgeId side) {
     const double twice_area = cross(along, mesh.point(mesh.apex(side)) - a);
-    return off * length > bend.of_height * bend.of_height * twice_area * twice_area;
+    return off * length > bound.in_heights * bound.in_heights * twice_area * twice_area;
   };
   return exceeds_height(h) || exceeds_height(mesh.twin(h));
 }
 
 bool is_mildly_bent(const Mesh& mesh, HalfEdgeId h) { return is_bent(mesh, h); }
 
-/// Straightens the bent edges of both triangles at h; false if there were none.
+/// Straightens the bent edges of both triangles at h; false if nothing changed.
 bool straighten_around(Mesh& mesh, HalfEdgeId h, const RefitOptions& refit) {
   const HalfEdgeId g = mesh.twin(h);
   thread_local std::vector<HalfEdgeId> edges;
@@ -40,8 +41,8 @@ bool straighten_around(Mesh& mesh, HalfEdgeId h, const RefitOptions& refit) {
   return straighten_bent(mesh, edges, refit);
 }
 
-/// A flip that leaves no badly bent edge: where the elements leave little room, the valid place for its control points
-/// may be far outside, and bends beget bends.
+/// Flips an edge, and refuses where the new one would be badly bent and the old one was not. Where the elements leave
+/// little room the only valid places of its control points may be far outside, and bends beget bends.
 Outcome flip_straight(Mesh& mesh, HalfEdgeId h, const RefitOptions& refit) {
   Transaction transaction(mesh);
   const bool was_bad = is_bent(mesh, h, bad);
@@ -55,8 +56,8 @@ Outcome flip_straight(Mesh& mesh, HalfEdgeId h, const RefitOptions& refit) {
   return Outcome::done;
 }
 
-/// The flip, if need be after the bent edges of both triangles are straightened; the mesh is unchanged if it is
-/// refused.
+/// Flips an edge, if need be after the bent edges of both triangles are straightened. The mesh is unchanged if the flip
+/// is refused.
 Outcome straighten_and_flip(Mesh& mesh, HalfEdgeId h, const RefitOptions& refit) {
   const Outcome first = flip_straight(mesh, h, refit);
   if (first == Outcome::done) return first;
@@ -82,7 +83,7 @@ bool straighten_bent(Mesh& mesh, std::vector<HalfEdgeId>& edges, const RefitOpti
     std::erase_if(edges, [&](HalfEdgeId h) { return straighten_edge(mesh, h, 0, refit) == Outcome::done; });
   }
   bool any = edges.size() < bent;
-  for (const HalfEdgeId h : edges)  // what is left hangs together, as a rule, and fails together
+  for (const HalfEdgeId h : edges)  // the rest are usually in each other's way: straightened at once or not at all
     if (is_bent(mesh, h, bad)) {
       if (!straighten_together(mesh, h, is_mildly_bent, refit)) break;
       any = true;
@@ -104,7 +105,7 @@ EdgeState edge_state(const Point& a, const Point& b, const Point& c, const Point
   if (above <= 0 || below <= 0)
     return (above > 0 || below > 0) && flips_to_positive() ? EdgeState::turned_over : EdgeState::inverted;
   if (in_circle(a, b, c, d) <= 0) return EdgeState::delaunay;
-  // A point inside the circle beyond ab sees the quadrilateral convex; the exact test guards the flat cases.
+  // If d lies inside the circle, the quadrilateral is convex, so a flip is possible; the test guards the flat cases.
   return flips_to_positive() ? EdgeState::not_delaunay : EdgeState::inverted;
 }
 

@@ -1,4 +1,4 @@
-// lib/pliant/improve/missed_goals.cpp: how many elements miss the goals, by reason, and which pass may help.
+// lib/pliant/improve/missed_goals.cpp: one look at each element; the words for what was found.
 #include "pliant/improve/missed_goals.h"
 
 #include <array>

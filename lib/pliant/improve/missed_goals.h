@@ -1,4 +1,5 @@
-// lib/pliant/improve/missed_goals.h: how many elements miss the goals, by reason, and which pass may help.
+// lib/pliant/improve/missed_goals.h: counts the elements that miss the goals, by reason, and names the pass that may
+// help.
 #pragma once
 #include <cstdint>
 #include <string>
@@ -7,22 +8,23 @@
 
 namespace pliant {
 
-/// Elements by the first reason that holds, in this order.
+/// How many elements miss the goals. Each is counted once, under the first of these reasons that holds for it.
 struct MissedGoals {
   std::int64_t invalid = 0;      ///< not certified valid
-  std::int64_t turned_over = 0;  ///< the straight triangle is not positive
-  std::int64_t too_curved = 0;   ///< for refinement (max_turning), or for smoothing (CurvatureBounds' defaults)
-  std::int64_t too_large = 0;    ///< for refinement
-  std::int64_t too_poor = 0;     ///< for refinement
+  std::int64_t turned_over = 0;  ///< the logical triangle is turned over or flat
+  std::int64_t too_curved =
+      0;  ///< by refinement's bound (max_turning), or by smoothing's (the defaults of CurvatureBounds)
+  std::int64_t too_large = 0;  ///< by refinement's bounds
+  std::int64_t too_poor = 0;   ///< by refinement's bound on angles
 };
 
 /// Complexity  O(triangles)
 MissedGoals count_missed(const Mesh& mesh, const QualityGoals& goals);
 
-/// For example "3 turned over, 12 too poor"; "no element" where all meet the goals.
+/// The counts in words, for example "3 turned over, 12 too poor"; "no element" where all meet the goals.
 std::string describe(const MissedGoals& missed);
 
-/// What would help a mesh of which these are left, in words; empty where nothing is.
+/// Which pass would help a mesh that has these elements left, in words; empty where there are none.
 std::string advice_on(const MissedGoals& missed);
 
 }  // namespace pliant

@@ -1,4 +1,4 @@
-// lib/pliant/improve/refine.cpp: rounds of attacks, each triangle's own: split an edge, insert a point, or give up.
+// lib/pliant/improve/refine.cpp: rounds in which each bad triangle has an edge split, gets a point, or is given up.
 #include "pliant/improve/refine.h"
 
 #include <algorithm>
@@ -28,14 +28,23 @@
 namespace pliant {
 namespace {
 
-constexpr int most_points = 40;            // for the sake of one triangle that stays poor
-constexpr double default_floor = 1e-9;     // of the mesh's size: least distance of two vertices
-constexpr double least_of_gap = 0.5;       // half an edge on a curve, of the distance of the vertex opposite
-constexpr double least_of_shortest = 0.8;  // the same, of a poor triangle's shortest edge, up to 30 degrees
+// A poor triangle is given up after so many points were inserted for its sake.
+constexpr int most_points = 40;
+// The least distance of two vertices, where the goals name none, is this share of the mesh's size.
+constexpr double default_floor = 1e-9;
+// A new vertex keeps this share of the longest edge of a triangle that is too large as its distance from all others.
 constexpr double least_of_longest = 0.2;
-constexpr double much_turning = 1.0;          // radians: an edge on a curve that turns by more may have shorter halves
-constexpr long triangles_per_new_vertex = 8;  // a mesh that has more keeps its numbers
-constexpr double off_center = 0.95;           // of the distance at which the triangle would be just good enough
+// Half of an edge that is split for a poor triangle is at least this share of the triangle's shortest edge. Only bounds
+// on angles up to 30 degrees allow less than the whole of it.
+constexpr double least_of_shortest = 0.8;
+// An edge on a curve may have shorter halves than that if they are at least this share of the distance from its chord
+// to the nearer vertex opposite.
+constexpr double least_of_gap = 0.5;
+// The off-centre of a poor triangle lies at this share of the distance at which the new triangle on its shortest edge
+// would be just good enough.
+constexpr double off_center = 0.95;
+// A mesh is renumbered after a round that leaves fewer triangles than this for each new vertex.
+constexpr long triangles_per_new_vertex = 8;
 
 double longest_edge(const Mesh& mesh, TriangleId t) {
   double longest = 0;
@@ -44,21 +53,22 @@ double longest_edge(const Mesh& mesh, TriangleId t) {
   return longest;
 }
 
-/// Is it opposite a small angle between two curves, which nothing mends?
+/// Does the triangle lie opposite a small angle between two curves? Then nothing mends it.
 bool is_excused(const Mesh& mesh, TriangleId t, const SharpCorners& corners) {
   return !corners.empty() && corners.excuses(mesh, shortest_edge(mesh, t), longest_edge(mesh, t));
 }
 
-/// What all rounds have done, and what the last one has left.
+/// What all rounds have done, and which triangles the last one has given up.
 struct Tally {
   long insertions = 0, splits = 0;
   LegalizeCounts flips;
-  std::map<std::array<PointId, 3>, const char*> left;  ///< reasons, by the corners of a triangle
+  std::map<std::array<PointId, 3>, const char*> left;  ///< the reason, by the triangle's corners
 
   long points() const { return insertions + splits; }
 };
 
-/// One round: attacks every triangle that misses the goals, and what comes of it, without any memory of earlier rounds.
+/// One round: attacks every triangle that misses the goals, and those that its changes make miss them. It remembers
+/// nothing of earlier rounds.
 class Round {
  public:
   Round(Mesh& mesh, const RefineOptions& options, Tally& tally)
@@ -78,7 +88,7 @@ class Round {
       const Attack attack = attack_on(mesh_, t, *options_.goals);
       if (attack.reason) treat(t, attack);
       if (options_.progress != nullptr) options_.progress->count(tally_.points());
-      const bool has_inserted = !star_.outgoing.empty();  // a mesh may have had more before
+      const bool has_inserted = !star_.outgoing.empty();  // before that, the mesh as given may have more
       if (has_inserted && mesh_.triangle_count() > options_.max_triangles) exceed(attack);
     }
   }
@@ -113,7 +123,7 @@ class Round {
     const auto corners = corners_of(mesh_, t);
     if (const auto tried = tried_.find(corners); tried != tried_.end() && tried->second >= most_points)
       return give_up(t, "many points beside it did not help");
-    // The circumcentre of a large triangle is at least half its longest edge away from all, if the mesh is Delaunay.
+    // In a Delaunay mesh the circumcentre of a large triangle is at least half its longest edge away from all vertices.
     least_edge_ = attack.is_poor ? least : least_of_longest * longest;
     least_half_ = attack.is_poor && most_ratio_ >= 1 ? least_of_shortest * least : least_edge_;
     if (!insert_into(t, shortest, attack.is_poor)) {
@@ -125,8 +135,8 @@ class Round {
     }
   }
 
-  /// Inserts the off-centre of a poor triangle, which makes its shortest edge's new triangle just good enough (Üngör),
-  /// or where that is refused the circumcentre, as into all others.
+  /// Inserts the circumcentre of a triangle. For a poor one its off-centre is tried first: the point that makes the new
+  /// triangle on the shortest edge just good enough (Üngör).
   bool insert_into(TriangleId t, HalfEdgeId shortest, bool is_poor) {
     const Point &a = mesh_.point(mesh_.origin(shortest)), &b = mesh_.point(mesh_.target(shortest)),
                 &c = mesh_.point(mesh_.apex(shortest));
@@ -142,12 +152,13 @@ class Round {
     return insert_or_split(t, center);
   }
 
-  /// Inserts p, or splits the constrained edge that stands between t and p or whose lens p enters.
+  /// Inserts p. Where a constrained edge stands between t and p, or p lies in the lens of one, splits that edge
+  /// instead.
   bool insert_or_split(TriangleId t, const Point& p) {
     const HalfEdgeId wall = search_.walk_to(t, p);
     if (wall != none) {
-      // An empty circumcircle whose centre lies beyond a wall bounds how short that is; where flips were refused it may
-      // not be empty.
+      // If the circumcircle is empty and its centre lies beyond the wall, the wall is at least as long as its distance
+      // from t. Where flips were refused the circumcircle may not be empty, and that is checked.
       double away = HUGE_VAL;
       for (int c = 0; c < 3; ++c) away = std::min(away, distance_from_chord(mesh_, wall, mesh_.corner(t, c)));
       return 2 * std::sqrt(squared(wall)) >= away ? split(wall) : refuse("its circumcentre lies beyond a curve");
@@ -188,8 +199,7 @@ class Round {
     const double half = std::sqrt(squared(h)) / 2;
     const bool on_curve = mesh_.is_constrained(h);
     if (half <= floor_) return refuse("at the least size");
-    if (half < least_half_ &&
-        !(on_curve && (half >= least_of_gap * gap_over(mesh_, h) || edge_turning(mesh_, h) > much_turning)))
+    if (half < least_half_ && !(on_curve && half >= least_of_gap * gap_over(mesh_, h)))
       return refuse("an edge beside it would become shorter than its own");
     const double place = on_curve ? split_place(mesh_, h, corners_) : 0.5;
     const SplitPartner partner = on_curve ? find_partner(mesh_, h, corners_, place) : SplitPartner{};
@@ -199,7 +209,7 @@ class Round {
     settle(v);
     return true;
   }
-  /// The new vertex, or none where that is refused.
+  /// Splits an edge; returns the new vertex, or none where that is refused.
   PointId split_at(HalfEdgeId h, double place) {
     const bool on_curve = mesh_.is_constrained(h);
     const PointId first = mesh_.origin(h), last = mesh_.target(h);
@@ -212,7 +222,7 @@ class Round {
     if (on_curve) corners_.add_between(result.vertex, first, last);
     return result.vertex;
   }
-  /// As far from their corner as v is.
+  /// Splits the partner of an edge that was split at v: as far from their common corner as v is.
   void split_partner(const SplitPartner& partner, PointId v) {
     const HalfEdgeId h = find_half_edge(mesh_, partner.first, partner.last);
     if (h == none || !mesh_.is_constrained(h)) return;
@@ -229,8 +239,8 @@ class Round {
       stack_.push_back(next(h));
       touched_.push_back(triangle_of(h));
     }
-    // Subdivision bends the edges to a new vertex where an element's parameters run unevenly along a curve. The
-    // triangles that they bound would be far from their logical ones, on which all decisions rest.
+    // Where an element's parameters run unevenly along a curve, subdivision bends the edges to the new vertex. The new
+    // elements would then be far from their logical triangles, on which all decisions rest.
     bent_ = star_.outgoing;
     straighten_bent(mesh_, bent_, options_.refit);
     legalize(mesh_, stack_, options_.refit, tally_.flips, -1, &touched_, true);
@@ -246,11 +256,11 @@ class Round {
   SharpCorners corners_;
   InsertionSearch search_;
   double floor_ = 0, most_ratio_ = 0;
-  double least_edge_ = 0;          // no new point may be closer to others
-  double least_half_ = 0;          // no half of an edge that is split may be shorter
-  const char* why_not_ = nullptr;  // the last thing that was tried failed
+  double least_edge_ = 0;          // no new point may be closer to another vertex
+  double least_half_ = 0;          // no half of a split edge may be shorter
+  const char* why_not_ = nullptr;  // the reason for which the last attempt was refused
   AttackQueue queue_;
-  std::map<std::array<PointId, 3>, int> tried_;  // points inserted for a triangle that stayed poor
+  std::map<std::array<PointId, 3>, int> tried_;  // how many points were inserted for a triangle that stayed poor
   Star star_;
   std::vector<HalfEdgeId> stack_, bent_;
   std::vector<TriangleId> touched_;
@@ -261,7 +271,7 @@ Point middle_of(const Mesh& mesh, TriangleId t) {
 }
 
 void Round::exceed(const Attack& attack) const {
-  // The last vertex is where the work is.
+  // The last vertex that was inserted shows where the work is.
   const Point& place = mesh_.point(mesh_.origin(star_.outgoing.front()));
   std::string text = "there are more than " + std::to_string(options_.max_triangles) +
                      " triangles, and elements near " + describe_point(place) + " are still " + attack.reason;
@@ -271,7 +281,7 @@ void Round::exceed(const Attack& attack) const {
   throw TooManyTriangles(text + ", or allow more (--max-triangles)");
 }
 
-/// Poor triangles, those that are turned over among them, but for what small angles between curves excuse.
+/// The triangles that are poor or turned over, without those that a small angle between curves excuses.
 std::vector<TriangleId> find_poor(const Mesh& mesh, const QualityGoals& goals) {
   std::vector<TriangleId> poor;
   for (TriangleId t = 0; t < mesh.triangle_slots(); ++t)
@@ -286,7 +296,7 @@ std::vector<TriangleId> find_poor(const Mesh& mesh, const QualityGoals& goals) {
 void tame_poor(Mesh& mesh, const RefineOptions& options, Tally& tally) {
   const std::vector<TriangleId> poor = find_poor(mesh, *options.goals);
   if (poor.empty()) return;
-  long most = options.max_triangles;  // a cut makes one or two more
+  long most = options.max_triangles;  // the last cut may still make one or two more
   if (options.max_insertions) most = std::min(most, mesh.triangle_count() + *options.max_insertions - tally.points());
   const TameCounts tamed = Tamer(mesh, options.refit, tally.flips).tame(poor, most);
   tally.insertions += tamed.splits;
@@ -334,7 +344,7 @@ PassReport refine(Mesh& mesh, const RefineOptions& asked) {
     before = tally.points();
     tame_poor(mesh, options, tally);
     Round(mesh, options, tally).run();
-    // Numbers in the order of insertion would send every later pass from one end of the memory to the other.
+    // With numbers in the order of insertion every later pass would jump from one end of the memory to the other.
     if ((tally.points() - before) * triangles_per_new_vertex > mesh.triangle_count())
       mesh.renumber();
     else

@@ -1,4 +1,4 @@
-// lib/pliant/improve/refine.h: points into elements too large, too poor or too curved (paper §5.3.2).
+// lib/pliant/improve/refine.h: inserts points until no element is too large, too poor or too curved (paper §5.3.2).
 #pragma once
 #include <optional>
 
@@ -11,26 +11,28 @@ namespace pliant {
 
 struct RefineOptions {
   std::optional<QualityGoals> goals;   ///< absent: those of the mesh's criteria (goals_of)
-  std::optional<long> max_insertions;  ///< ends after so many insertions, and tells what is left
-  long max_triangles = 10'000'000;     ///< more than so many are an error
+  std::optional<long> max_insertions;  ///< refinement ends after so many, and reports what is left
+  long max_triangles = 10'000'000;     ///< a mesh of more triangles is an error
   RefitOptions refit;
-  Progress* progress = nullptr;  ///< told the points inserted
+  Progress* progress = nullptr;  ///< is told how many points were inserted
 };
 
-/// Refines until every element meets the goals or is given up; each element that does not meet them at the end is
-/// counted in the report, with its reason and place. Before each round what keeps poor triangles from being flipped is
-/// removed (Tamer): so valid meshes that have moved far come back. Works in rounds, each with an empty history, until
-/// one inserts nothing: so what is tried depends on the mesh that is left alone, and refining it again with the same
-/// goals changes nothing.
+/// Refines until every element meets the goals or is given up. The report counts each element that does not meet them
+/// at the end, with the reason and the place.
 ///
-/// Mending a shape splits no edge on a curve into parts shorter than the triangle's own shortest edge, unless another
-/// vertex is as close to that edge; nor does it insert a point closer to others than that. With the bounds on angles
-/// that can be kept this is what holds anyway (Ruppert); where curved edges, small angles or a greater bound spoil
-/// that, it is what ends the refinement.
+/// The work is done in rounds until one of them inserts nothing. A round remembers nothing of the rounds before it. So
+/// what it tries depends only on the mesh, and refining the result again with the same goals changes nothing. A round
+/// begins with the Tamer, which removes what keeps poor triangles from being flipped: valid meshes that have moved far
+/// come back by that.
 ///
-/// Throws      std::invalid_argument as goals_of; TooManyTriangles (triangle_budget.h) beforehand, where a lower bound
-/// of what the goals ask for exceeds
-///             `max_triangles`, or as soon as there are more; the mesh is then unspecified
+/// A point that mends a shape is no closer to other vertices than the length of the triangle's shortest edge. An edge
+/// on a curve is split into parts shorter than 0.8 of that length only where a vertex opposite is no further from its
+/// chord than the chord is long. With bounds on angles that can be kept, Ruppert's algorithm has these distances
+/// anyway; where curved edges, small angles or a greater bound spoil that, these two rules end the refinement.
+///
+/// Throws      std::invalid_argument as goals_of; TooManyTriangles (triangle_budget.h) before anything is changed,
+/// where the goals ask for more than
+///             `max_triangles` by a lower bound; or as soon as there are more, and the mesh is then unspecified
 PassReport refine(Mesh& mesh, const RefineOptions& options = {});
 
 /// Why `refine` would attack this triangle: "too large", "too poor", "too curved", or null.

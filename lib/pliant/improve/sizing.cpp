@@ -1,4 +1,4 @@
-// lib/pliant/improve/sizing.cpp: which size is wanted where.
+// lib/pliant/improve/sizing.cpp: wanted lengths from areas, expressions and fields; units.
 #include "pliant/improve/sizing.h"
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 namespace pliant {
 namespace {
 
-constexpr double bound_by_mean_area = 1.75;  // of a mesh that was refined to a bound on area
+constexpr double bound_by_mean_area = 1.75;  // the bound on area over the mean area after refinement to that bound
 
 int find_size_field(const Mesh& mesh, const std::string& name) {
   for (std::size_t k = 0; k < mesh.fields().size(); ++k) {

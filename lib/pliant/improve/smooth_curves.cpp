@@ -1,4 +1,4 @@
-// lib/pliant/improve/smooth_curves.cpp: elements too curved, worst first (paper §5.3.4).
+// lib/pliant/improve/smooth_curves.cpp: edges first, then one option after the other; what is left, and why.
 #include "pliant/improve/smooth_curves.h"
 
 #include <algorithm>

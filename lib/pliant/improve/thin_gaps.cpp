@@ -11,7 +11,7 @@
 namespace pliant {
 namespace {
 
-constexpr double most_share = 0.25;  // of a span's chord, for a gap that is thin beside it
+constexpr double most_share = 0.25;  // a gap is thin if its width is less than this share of a span's chord
 
 double squared(const Mesh& mesh, HalfEdgeId h) {
   return squared_length(mesh.point(mesh.target(h)) - mesh.point(mesh.origin(h)));

@@ -1,4 +1,4 @@
-// lib/pliant/improve/triangle_budget.cpp: sums over faces, places and curves.
+// lib/pliant/improve/triangle_budget.cpp: three lower bounds, as sums over faces, over places and over curves.
 #include "pliant/improve/triangle_budget.h"
 
 #include <algorithm>
@@ -16,10 +16,10 @@
 namespace pliant {
 namespace {
 
-constexpr double places = 100'000;  // at which the size function is evaluated, about
-constexpr int most_rows = 100;      // of places in a triangle
-constexpr double most_edges = 3;    // that a triangle has on curves
-constexpr double quadrature = 0.5;  // of the sum over a size that varies: what coarse places may miss
+constexpr double places = 100'000;  // the size function is evaluated at about so many places
+constexpr int most_rows = 100;      // a triangle has at most so many rows of places
+constexpr double most_edges = 3;    // a triangle has at most so many edges on curves
+constexpr double safety = 0.5;      // factor of the bound where the size varies: coarse places may miss large sizes
 
 std::string in_digits(double value) {
   std::array<char, 32> text;
@@ -27,7 +27,8 @@ std::string in_digits(double value) {
   return text.data();
 }
 
-/// Adds the counts of one triangle by size: its parts, each as large as the largest size around it allows.
+/// Counts the triangles that one triangle of the mesh must become by size: it is cut into small parts, and each of them
+/// is filled with triangles as large as the largest size around it allows.
 class SizeCount {
  public:
   SizeCount(const Mesh& mesh, const QualityGoals& goals)
@@ -102,14 +103,14 @@ LeastCount by_size(const Mesh& mesh, const QualityGoals& goals) {
     if (count > most) most = count, densest = t;
   }
   if (densest == none) return all;
-  if (size.varies()) all.triangles *= quadrature;
+  if (size.varies()) all.triangles *= safety;
   const Point middle = (1.0 / 3) * (mesh.point(mesh.corner(densest, 0)) + mesh.point(mesh.corner(densest, 1)) +
                                     mesh.point(mesh.corner(densest, 2)));
   all.why = "edges of " + in_digits(goals.length_at(middle, mesh.time)) + " near " + describe_point(middle);
   return all;
 }
 
-/// The angle between a curved edge's tangents at its ends, radians: it turns at least by that.
+/// The angle between an edge's tangents at its two ends, in radians: the edge turns at least by that.
 double least_turning(const Mesh& mesh, HalfEdgeId h) {
   std::array<Point, max_degree + 1> polygon;
   mesh.gather_edge_points(h, polygon);

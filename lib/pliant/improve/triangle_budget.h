@@ -1,4 +1,4 @@
-// lib/pliant/improve/triangle_budget.h: how many triangles the goals of refinement ask for at least.
+// lib/pliant/improve/triangle_budget.h: a lower bound of the number of triangles that the goals of refinement ask for.
 #pragma once
 #include <stdexcept>
 #include <string>
@@ -7,25 +7,29 @@
 
 namespace pliant {
 
-/// More triangles than allowed: the text says how many, where and why, and what would ask for fewer.
+/// The goals ask for more triangles than allowed. The text says how many, where and why, and what would ask for fewer.
 class TooManyTriangles : public std::domain_error {
  public:
   using std::domain_error::domain_error;
 };
 
-/// The goals that ask for most triangles, and how many they ask for at least.
+/// The goal that asks for the most triangles, and how many that is at least.
 struct LeastCount {
   double triangles = 0;
-  std::string why;  ///< "an area of at most 1e-12 in face 'disk'"
+  std::string why;  ///< for example "an area of at most 1e-12 in face 'disk'"
 };
 
-/// A lower bound of the number of triangles of any mesh of these faces and curves that meets the goals: by area (area
-/// over bound), by size (no triangle exceeds an equilateral one of the longest edge allowed) and by turning (turning of
-/// each curve over bound). Of the size function it sees some 100,000 places, and takes it to be the largest of the
-/// values around each.   Complexity  O(mesh) and the places looked at
+/// A lower bound of the number of triangles of any mesh of these faces and curves that meets the goals: the greatest of
+/// three bounds, by area (area over its bound), by size (no triangle is larger than an equilateral one with the longest
+/// edge allowed) and by turning (the turning of each curve over its bound). The size function is evaluated at about
+/// 100,000 places, and around each of them taken to be the largest of the values near by.
+///
+/// Complexity  O(triangles + places)
 LeastCount least_triangles(const Mesh& mesh, const QualityGoals& goals);
 
-/// Throws      TooManyTriangles where that is more than `max_triangles`
+/// Does nothing where that bound is at most `max_triangles`.
+///
+/// Throws      TooManyTriangles where it is greater
 void require_within_budget(const Mesh& mesh, const QualityGoals& goals, long max_triangles);
 
 }  // namespace pliant

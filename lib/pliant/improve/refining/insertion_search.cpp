@@ -1,4 +1,5 @@
-// lib/pliant/improve/refining/insertion_search.cpp: a walk, a cavity, and the lenses at its border.
+// lib/pliant/improve/refining/insertion_search.cpp: a walk to a point, its Delaunay cavity, and the lenses at the
+// border.
 #include "pliant/improve/refining/insertion_search.h"
 
 #include <algorithm>
@@ -13,7 +14,7 @@ namespace pliant {
 namespace {
 
 constexpr std::size_t most_cavity = 200;  // triangles of a cavity that are looked at
-constexpr double near_edge = 1e-3;        // of the distance to the nearest corner
+constexpr double near_edge = 1e-3;  // a point this near an edge, in distances to the nearest corner, splits the edge
 
 }  // namespace
 

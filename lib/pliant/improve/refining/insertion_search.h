@@ -12,16 +12,17 @@ class InsertionSearch {
  public:
   explicit InsertionSearch(const Mesh& mesh) : mesh_(mesh) {}
 
-  /// Walks in the logical mesh from t's centroid to p; the constrained edge that stands in the way, or none.
+  /// Walks in the logical mesh from t's centroid towards p. Returns the constrained edge that stands in the way, or
+  /// none.
   HalfEdgeId walk_to(TriangleId t, const Point& p);
   /// The triangle at which the last walk ended.
   TriangleId reached() const { return reached_; }
-  /// Of the constrained edges at the border of p's Delaunay cavity those in whose lens p lies; the nearest one, or
-  /// none.
+  /// The nearest of the constrained edges at the border of p's Delaunay cavity in whose protective lens p lies, or
+  /// none. The cavity is sought from the triangle `from` on, which contains p.
   HalfEdgeId find_encroached(TriangleId from, const Point& p);
-  /// Below which barycentric coordinate a point of element k is taken to be on that edge: near an edge, compared with
-  /// the nearest corner (at distance `nearest`), the edge itself is split, since slivers would not flip away at a
-  /// curve.
+  /// The tolerance with which a point xi of triangle k is to be inserted: where a barycentric coordinate is below it,
+  /// the point counts as being on that edge, and the edge is split. That is done where the point is much nearer to the
+  /// edge than to the nearest corner (at distance `nearest`), since slivers at a curve would not flip away.
   double edge_tolerance(TriangleId k, const Barycentric& xi, double nearest) const;
 
  private:
@@ -30,10 +31,10 @@ class InsertionSearch {
   std::vector<TriangleId> cavity_;
 };
 
-/// From the chord of an edge to a vertex.
+/// The distance of a vertex from the chord of an edge.
 double distance_from_chord(const Mesh& mesh, HalfEdgeId h, PointId v);
 
-/// From the chord of an edge to the nearer of the vertices opposite it.
+/// The distance from the chord of an edge to the nearer of the vertices opposite it.
 double gap_over(const Mesh& mesh, HalfEdgeId h);
 
 }  // namespace pliant

@@ -1,5 +1,5 @@
-// lib/pliant/improve/refining/left_by_refine.cpp: runs refine on copies, and compares triangles by their corners'
-// places.
+// lib/pliant/improve/refining/left_by_refine.cpp: runs refine on copies, and compares triangles by the places of their
+// corners.
 #include "pliant/improve/refining/left_by_refine.h"
 
 #include <algorithm>
@@ -13,8 +13,9 @@
 namespace pliant {
 namespace {
 
-constexpr long many = 1000;  // insertions: refine has much to do anyway, so nobody waits for it to come to rest
+constexpr long many = 1000;  // after so many insertions refine has much to do anyway, and need not come to rest
 
+/// How much refine has inserted; `too_much`: it has given up at its limit of triangles.
 enum class Refined { nothing, some, much, too_much };
 
 Refined refine_copy(Mesh& mesh, const QualityGoals& goals) {
@@ -25,7 +26,7 @@ Refined refine_copy(Mesh& mesh, const QualityGoals& goals) {
   try {
     refine(mesh, options);
   } catch (const TooManyTriangles&) {
-    return Refined::too_much;  // the mesh is of no use
+    return Refined::too_much;  // the copy is of no use now
   }
   const long more = mesh.triangle_count() - before;
   return more == 0 ? Refined::nothing : more < many ? Refined::some : Refined::much;
@@ -91,7 +92,7 @@ std::vector<LeftByRefine::Awakened> LeftByRefine::awakened_in(const Mesh& after)
     const double longest = std::max({distance(a, b), distance(b, c), distance(c, a)});
     awakened.push_back({middle, is_finite(center) ? std::max(longest, distance(middle, center)) : longest});
   }
-  if (!is_settled_) return awakened;  // what it would have inserted anyway is not to blame
+  if (!is_settled_) return awakened;  // it would have inserted points anyway: removals are not to blame
   const std::set<std::array<double, 2>> were = vertices_of(after);
   for (const HalfEdgeId h : refined.half_edges()) {
     if (!refined.is_alive(triangle_of(h))) continue;

@@ -1,5 +1,5 @@
-// lib/pliant/improve/refining/left_by_refine.h: triangles that refine has given up, and whether removals let it succeed
-// there.
+// lib/pliant/improve/refining/left_by_refine.h: the triangles that refine gives up, and whether removals let it mend
+// them.
 #pragma once
 #include <array>
 #include <set>
@@ -9,22 +9,25 @@
 
 namespace pliant {
 
-/// Refine leaves a triangle where what is around it refuses every point that would mend it. Where coarsening clears
-/// that away, refine succeeds, what it inserts can be removed again, and so on for ever.
+/// Refine gives up a triangle where what lies around it refuses every point that would mend it. Where coarsening
+/// removes that, refine succeeds; coarsening could then remove what refine has inserted, and so on for ever. This class
+/// finds the places where that would begin.
 class LeftByRefine {
  public:
-  /// Around a place in which refine would succeed: what was removed this near may have let it.
+  /// A place at which refine would succeed now: the removal of vertices within `reach` of it may have let it.
   struct Awakened {
     Point place;
     double reach;
   };
 
-  /// Complexity   a look at each triangle; a copy of the mesh if refine would attack any
+  /// Complexity  O(triangles); the mesh is copied if refine would attack any of them
   LeftByRefine(const Mesh& before, const QualityGoals& goals);
+  /// Would refine attack any triangle of `before`?
   bool any() const { return !attacked_.empty(); }
-  /// Where refine would succeed on `after`, and left `before` alone; by running it on copies of both.
+  /// The places where refine would mend a triangle of `after` that it would leave in `before`. It runs on copies of
+  /// both meshes to find out.
   ///
-  /// Complexity   refine's, twice; the first time once more
+  /// Complexity  that of refine on `after`; in the first call also that of refine on `before`
   std::vector<Awakened> awakened_in(const Mesh& after);
   const Mesh& before() const { return before_; }
 
@@ -37,8 +40,8 @@ class LeftByRefine {
   const QualityGoals& goals_;
   Mesh before_;
   std::set<Corners> attacked_, left_;
-  bool is_known_ = false;    ///< left_ and is_settled_ are
-  bool is_settled_ = false;  ///< refine inserts nothing in `before`
+  bool is_known_ = false;    ///< left_ and is_settled_ have been found
+  bool is_settled_ = false;  ///< refine would insert nothing in `before`
 };
 
 }  // namespace pliant

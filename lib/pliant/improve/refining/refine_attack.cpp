@@ -1,4 +1,4 @@
-// lib/pliant/improve/refining/refine_attack.cpp: an element against its bounds, one after the other.
+// lib/pliant/improve/refining/refine_attack.cpp: compares a triangle with each bound of the goals.
 #include "pliant/improve/refining/refine_attack.h"
 
 #include <numbers>
@@ -32,7 +32,7 @@ Attack attack_on(const Mesh& mesh, TriangleId t, const QualityGoals& goals) {
   Attack attack;
   if (goals.max_turning < HUGE_VAL && mesh.degree() > 1)
     for (int e = 0; e < 3; ++e) {
-      // Only what lies on a curve: inner edges are for smoothing.
+      // Only edges on curves: inner edges are for smoothing.
       const HalfEdgeId h = half_edge(t, e);
       if (!mesh.is_constrained(h)) continue;
       const double ratio = edge_turning(mesh, h) / goals.max_turning;
@@ -59,7 +59,7 @@ Attack attack_on(const Mesh& mesh, TriangleId t, const QualityGoals& goals) {
   if (goals.min_angle > 0) {
     const double limit = 1 / (2 * std::sin(goals.min_angle * std::numbers::pi / 180));
     const double ratio =
-        cross(b - a, c - a) > 0 ? radius_edge_ratio(a, b, c) : HUGE_VAL;  // turned over: no shape at all
+        cross(b - a, c - a) > 0 ? radius_edge_ratio(a, b, c) : HUGE_VAL;  // turned over: as poor as can be
     const auto is_kept = [&] { return goals.keeps_thin && crosses_thin_gap(mesh, shortest_edge(mesh, t)); };
     if (ratio > limit && !is_kept()) return {"too poor", ratio / limit, none, true};
   }

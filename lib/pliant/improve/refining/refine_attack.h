@@ -10,34 +10,34 @@
 
 namespace pliant {
 
-/// Why a triangle is attacked.
+/// Why refinement attacks a triangle.
 struct Attack {
-  const char* reason = nullptr;
-  double excess = 0;       // how far beyond its bound: worst first
-  HalfEdgeId edge = none;  // too curved: the edge to split
-  bool is_poor = false;
+  const char* reason = nullptr;  ///< null: it does not
+  double excess = 0;             ///< the measure that exceeds its bound, in bounds; the greatest is attacked first
+  HalfEdgeId edge = none;        ///< of a triangle that is too curved: the edge to split
+  bool is_poor = false;          ///< the reason is its shape
 };
 
 /// An element whose longest edge has this many wanted lengths is too large.
 inline constexpr double size_slack = 1.5;
 
-/// By how much an edge's tangent turns from one end to the other.
+/// The angle, in radians, by which an edge's control polygon turns from one end to the other.
 double edge_turning(const Mesh& mesh, HalfEdgeId h);
 
-/// By chords; of equal ones the first.
+/// The edge of a triangle with the shortest chord; among equal ones the first.
 HalfEdgeId shortest_edge(const Mesh& mesh, TriangleId t);
 
-/// Too curved before too large before too poor.
+/// Checks a triangle against the goals: whether it is too curved first, then too large, then too poor.
 Attack attack_on(const Mesh& mesh, TriangleId t, const QualityGoals& goals);
 
-/// A triangle to be attacked.
+/// A triangle that waits to be attacked.
 struct AttackEntry {
   TriangleId triangle;
-  std::array<PointId, 3> corners;  // as queued: the slot may have become another triangle
+  std::array<PointId, 3> corners;  ///< when it was queued; with others, the slot has become another triangle
 };
 
-/// Worst first, to a power of two; of those the one queued last, which keeps the work in one place and with it the
-/// memory that is needed near by.
+/// Gives out the triangle with the greatest excess, up to a factor of two. Among those it is the one that was queued
+/// last, so that the work stays in one place of the mesh, and of the memory.
 class AttackQueue {
  public:
   void push(double excess, const AttackEntry& entry) {

@@ -1,4 +1,4 @@
-// lib/pliant/improve/refining/search_places.cpp: where nothing else helps, a search by small steps.
+// lib/pliant/improve/refining/search_places.cpp: the search of SmoothingMoves by small steps, where nothing else helps.
 #include <algorithm>
 #include <array>
 #include <functional>
@@ -9,10 +9,10 @@
 namespace pliant {
 namespace {
 
-constexpr double first_step = 0.1, last_step = 2e-3;  // relative to the element
-constexpr int most_steps = 400;
-/// For all searches of a pass, by element that was too curved: a step costs some p^4, and above degree 2 elements that
-/// nothing mends would take minutes.
+constexpr double first_step = 0.1, last_step = 2e-3;  // lengths of steps, relative to the element's size
+constexpr int most_steps = 400;                       // steps of one search
+/// How many steps all searches of a pass may take together, for each element that was too curved. A step costs about
+/// p^4, and above degree 2 elements that nothing mends would take minutes.
 int steps_per_element(int degree) { return degree <= 2 ? 4000 : 77000 / (degree * degree * degree * degree); }
 constexpr double diagonal = 0.70710678118654752;
 constexpr std::array<Vector, 8> directions{{{1, 0},
@@ -35,7 +35,8 @@ void SmoothingMoves::allow_searches(std::size_t elements) {
   steps_left_ = static_cast<long>(elements) * steps_per_element(mesh_.degree());
 }
 
-/// Lets the points inside the free edges of an element move, and the elements beside these edges change.
+/// Adds the points inside the free edges of an element to those that move, and the elements beside these edges to those
+/// that change.
 void SmoothingMoves::add_movable_edges(TriangleId t) {
   for (int e = 0; e < 3; ++e) {
     const HalfEdgeId h = half_edge(t, e);
@@ -45,7 +46,8 @@ void SmoothingMoves::add_movable_edges(TriangleId t) {
   }
 }
 
-/// The points that a search for this element may move, and the elements that change with them.
+/// Collects the points that a search for this element may move (movable_), and the elements that change with them
+/// (around_).
 void SmoothingMoves::collect_movable(TriangleId t) {
   around_.assign(1, t);
   movable_.clear();
@@ -65,7 +67,7 @@ void SmoothingMoves::collect_movable(TriangleId t) {
     movable_.emplace_back(inner[static_cast<std::size_t>(k)], false);
 }
 
-/// Moves a point on the copies of the elements. Keeps the move if the excesses, the worst first, are less then.
+/// Moves a point on the copies of the elements. Keeps the move if it lowers the sorted list of the excesses.
 bool SmoothingMoves::keep_if_better(PointId p, bool drags, const Vector& shift) {
   best_nets_ = trial_.nets();
   if (drags)
@@ -73,7 +75,7 @@ bool SmoothingMoves::keep_if_better(PointId p, bool drags, const Vector& shift) 
   else
     trial_.move(p, trial_.point(p) + shift);
   trial_excesses_ = excesses_;
-  bool is_worse = false;  // than the worst there is: the others need not be measured
+  bool is_worse = false;  // one is worse than the worst there was: the others need not be measured
   for (std::size_t e = 0; e < trial_.count() && !is_worse; ++e)
     if (trial_.has(e, p)) is_worse = (trial_excesses_[e] = rating_of(e)) > best_.front();
   if (!is_worse) {
@@ -89,8 +91,8 @@ bool SmoothingMoves::keep_if_better(PointId p, bool drags, const Vector& shift) 
   return false;
 }
 
-/// Pattern search (Hooke and Jeeves) for places of the element's own free points, by the very excesses that are to
-/// fall: optimal placement looks at one measure, which need not be the one that is exceeded.
+/// Pattern search (Hooke and Jeeves) for places of the element's own free points. It looks at the excesses themselves,
+/// where optimal placement looks at one measure, which need not be the one that exceeds its bound.
 bool SmoothingMoves::search_places(TriangleId t) {
   if (steps_left_ <= 0) return false;
   collect_movable(t);

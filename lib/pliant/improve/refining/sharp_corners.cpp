@@ -1,5 +1,4 @@
-// lib/pliant/improve/refining/sharp_corners.cpp: corners by the angles of tangents, sides by walks along constrained
-// edges.
+// lib/pliant/improve/refining/sharp_corners.cpp: finds corners by the angles of tangents, sides by walks along curves.
 #include "pliant/improve/refining/sharp_corners.h"
 
 #include <algorithm>
@@ -12,15 +11,18 @@
 namespace pliant {
 namespace {
 
-constexpr FaceId several = -2;
-constexpr double narrow = 0.175;       // radians: a wedge is left as it is wherever it is narrower
-constexpr double most_ratio = 2.1;     // of the distances from the corner of neighbours on two sides: a shell is thick
-constexpr double corner_reach = 1.95;  // lengths of a triangle within which a small angle excuses it
-constexpr double most_extent = 3;      // of a triangle along a shell, in the shell's radius
-constexpr double same_distance = 1.2;  // of two vertices from a corner, on one shell
-constexpr double wide = std::numbers::pi / 3;  // no wedge is as wide as this
+constexpr FaceId several = -2;                 // the "face" of a corner that has small angles in several faces
+constexpr double wide = std::numbers::pi / 3;  // radians: every wedge is narrower than this
+constexpr double narrow = 0.175;               // radians: a wedge is left as it is wherever it is narrower
+// Bounds within which a wedge excuses a triangle, by the distances of the triangle's corners from that of the wedge:
+constexpr double most_ratio =
+    2.1;  // in a narrow wedge: the larger distance of the shortest edge's ends over the smaller
+constexpr double same_distance = 1.2;  // elsewhere: the same ratio, so that both ends are on one shell
+constexpr double corner_reach = 1.95;  // elsewhere: the least distance of a corner, in longest edges of the triangle
+constexpr double most_extent = 3;      // elsewhere: the triangle's longest edge, in radii of the shell
 
-/// Direction in which the edge leaves its origin: the first leg of its control polygon that has a length.
+/// The direction in which an edge leaves its origin (`reversed`: its target): the first leg of its control polygon that
+/// has a length.
 Vector direction(const Mesh& mesh, HalfEdgeId h, bool reversed) {
   const int p = mesh.degree();
   const Point& origin = mesh.point(mesh.edge_point(h, reversed ? p : 0));
@@ -41,8 +43,9 @@ double logical_angle(const Mesh& mesh, HalfEdgeId h) {
   return std::atan2(cross(a, b), dot(a, b));
 }
 
-/// Do two edges on curves, next to each other, enclose a small angle here? Their tangents tell it, and the logical
-/// triangles between them tell it from the rest of a full turn. The face, `several`, or outside if there is none.
+/// The face in which two neighbouring edges on curves enclose a small angle at the star's vertex; `several` if there is
+/// more than one such face, outside if there is none. The angle is that of the tangents; the logical triangles between
+/// the two edges tell it from the rest of the full turn.
 FaceId sharp_face(const Mesh& mesh, const Star& star) {
   const std::size_t n = star.outgoing.size();
   FaceId face = outside;
@@ -64,7 +67,7 @@ FaceId sharp_face(const Mesh& mesh, const Star& star) {
   return face;
 }
 
-/// The vertices that constrained edges join to the star's.
+/// Collects the vertices that constrained edges join to the star's vertex.
 void curve_neighbors(const Mesh& mesh, const Star& star, std::vector<PointId>& out) {
   out.clear();
   for (const HalfEdgeId h : star.outgoing) {
@@ -88,7 +91,7 @@ void SharpCorners::find_corners(const Mesh& mesh) {
   Star star;
   for (const HalfEdgeId h : mesh.half_edges()) {
     if (!mesh.is_alive(triangle_of(h)) || !mesh.is_constrained(h)) continue;
-    // A corner has two such edges in every face; the one that leaves it speaks for both.
+    // At a corner one constrained half-edge of each face leaves and one arrives; looking at those that leave is enough.
     const PointId v = mesh.origin(h);
     if (contains(v)) continue;
     find_star(mesh, v, star);
@@ -106,7 +109,8 @@ void SharpCorners::find_sides(const Mesh& mesh) {
   std::sort(corners.begin(), corners.end());
   for (const HalfEdgeId h : mesh.half_edges()) {
     if (!mesh.is_alive(triangle_of(h)) || !mesh.is_constrained(h)) continue;
-    // Three or more edges, or one: counted by the half-edges that leave and those that arrive without a twin.
+    // A vertex is a node where other than two edges on curves meet. Edges are counted by the half-edges that leave, and
+    // by those that arrive and have no twin.
     const auto count = [&](PointId v) { is_node[index(v)] = static_cast<char>(std::min(is_node[index(v)] + 1, 100)); };
     count(mesh.origin(h));
     if (mesh.twin(h) == none) count(mesh.target(h));
@@ -120,8 +124,8 @@ void SharpCorners::find_sides(const Mesh& mesh) {
   }
 }
 
-/// Walks from a corner along one of its edges to the next node, and makes a side of what it passes; two sides where it
-/// comes back to the same corner.
+/// Walks from a corner along one of its edges to the next node, and makes a side of the vertices that it passes. Where
+/// it comes back to the same corner it makes two sides, one of each half.
 void SharpCorners::follow(const Mesh& mesh, PointId from, PointId to, const std::vector<char>& is_node) {
   if (!is_node[index(to)] && side_of(to) != none) return;  // walked from its other end
   if (is_node[index(to)] && one_edge_.count(key(from, to)) > 0) return;
@@ -195,13 +199,13 @@ PointId SharpCorners::narrow_wedge(const Mesh& mesh, PointId p, PointId q, FaceI
 
 bool SharpCorners::excuses(const Mesh& mesh, HalfEdgeId shortest, double longest) const {
   const PointId p = mesh.origin(shortest), q = mesh.target(shortest);
-  if (mesh.is_constrained(shortest)) return false;  // the ends of a side that comes back to its corner
+  if (mesh.is_constrained(shortest)) return false;  // joins the two halves of a side that comes back to its corner
   const PointId corner = shared(mesh, p, q, mesh.face(triangle_of(shortest)));
   if (corner == none) return false;
   const Point& apex = mesh.point(corner);
   const auto [near, far] = std::minmax({distance(apex, mesh.point(p)), distance(apex, mesh.point(q))});
   const double third = distance(apex, mesh.point(mesh.apex(shortest)));
-  // The wedge ends where one of its sides does: what lies beyond is outside.
+  // A triangle beyond the end of one of the two sides lies outside the wedge.
   if (third > far && (side_of(p) == none || side_of(q) == none)) return false;
   if (far <= most_ratio * near && angle_between(mesh.point(p) - apex, mesh.point(q) - apex) < narrow) return true;
   return far < same_distance * near && std::min(near, third) <= corner_reach * longest && longest <= most_extent * near;

@@ -1,5 +1,4 @@
-// lib/pliant/improve/refining/tame.cpp: straight triangles that are turned over become positive: edges straightened,
-// flipped, cut.
+// lib/pliant/improve/refining/tame.cpp: levels of straightening, flips and cuts; reference triangles of the pieces.
 #include "pliant/improve/refining/tame.h"
 
 #include <algorithm>
@@ -14,11 +13,11 @@
 namespace pliant {
 namespace {
 
-constexpr int most_levels = 60;        // each halves the area of the pieces that are left
-constexpr int most_neighbours = 100;   // that are cut before an element is
+constexpr int most_levels = 60;        // levels of cuts: each halves the area of the pieces that are left
+constexpr int most_neighbours = 100;   // neighbours that may be cut before an element is
 constexpr double equal_length = 1e-6;  // reference lengths that differ by less are the same up to rounding
 constexpr double much_turning = 0.35;  // radians: an edge on a curve that turns by more may keep flips from being made
-constexpr double least_edge = 16;      // in tolerances: shorter edges are not cut
+constexpr double least_edge = 16;      // edges shorter than so many tolerances of the mesh are not cut
 
 Barycentric middle_of(const Barycentric& a, const Barycentric& b) {
   return {(a[0] + b[0]) / 2, (a[1] + b[1]) / 2, (a[2] + b[2]) / 2};
@@ -30,7 +29,7 @@ double distance_between(const Barycentric& a, const Barycentric& b) {
   return std::sqrt((u * u + v * v + w * w) / 2);
 }
 
-/// The bend of an edge in lengths of its chord; squared.
+/// The bend of an edge in lengths of its chord, squared.
 double relative_bend(const Mesh& mesh, HalfEdgeId h) {
   return squared_bend(mesh, h) / squared_length(mesh.point(mesh.target(h)) - mesh.point(mesh.origin(h)));
 }
@@ -63,8 +62,8 @@ TameCounts Tamer::tame(std::vector<TriangleId> seeds, long max_triangles) {
   return counts_;
 }
 
-/// A curve that bends much beside an edge may be what refused its flip, or bent inner edges that could not be
-/// straightened: halves of the one and pieces of the elements beside the others bend less.
+/// Splits what may have caused the refusal of an edge's flip: a curve beside it that bends much, or else elements
+/// beside it with bent inner edges that could not be straightened. The halves and pieces bend less.
 bool Tamer::unbend_beside(const RefusedEdge& edge) {
   const HalfEdgeId h = find_half_edge(mesh_, edge.origin, edge.target);
   if (h == none || !wants_flip(edge_state(mesh_, h))) return false;
@@ -82,7 +81,7 @@ bool Tamer::unbend_beside(const RefusedEdge& edge) {
     bool has_bend = false;
     for (int e = 0; e < 3; ++e) has_bend = has_bend || is_bent_inside(mesh_, half_edge(t, e));
     is_cut = (has_bend && cut(t)) || is_cut;
-    if (is_cut) break;  // the other element may be another one by now
+    if (is_cut) break;  // the cut may have replaced the other element
   }
   return is_cut;
 }
@@ -97,7 +96,8 @@ bool Tamer::is_in_wedge(TriangleId t) const {
   return false;
 }
 
-/// The bent edges of these elements and their neighbours; then flips, by which further elements may change.
+/// Straightens the bent edges of these elements and their neighbours, then flips edges; both may change further
+/// elements.
 void Tamer::straighten_and_flip(const std::vector<TriangleId>& seeds) {
   std::vector<HalfEdgeId> edges, stack;
   for (const TriangleId t : seeds)
@@ -127,9 +127,9 @@ Tamer::Piece& Tamer::piece(TriangleId t) {
 }
 
 double Tamer::reference_length(HalfEdgeId h) {
-  const Piece& of = piece(triangle_of(h));
-  return distance_between(of.places[static_cast<std::size_t>(edge_of(h))],
-                          of.places[static_cast<std::size_t>(edge_of(next(h)))]);
+  const Piece& own = piece(triangle_of(h));
+  return distance_between(own.places[static_cast<std::size_t>(edge_of(h))],
+                          own.places[static_cast<std::size_t>(edge_of(next(h)))]);
 }
 
 HalfEdgeId Tamer::edge_to_cut(TriangleId t) {
@@ -178,7 +178,7 @@ bool Tamer::split(HalfEdgeId h) {
     const TriangleId t = triangle_of(out);
     changed_.push_back(t);
     const Corners corners{mesh_.corner(t, 0), mesh_.corner(t, 1), mesh_.corner(t, 2)};
-    // Its other two corners are corners of the element that it is a part of.
+    // A new triangle is a part of the old element that has both its other corners.
     for (int k = 0; k < sides; ++k) {
       const auto& [g, whole] = before[static_cast<std::size_t>(k)];
       Piece part{corners, {}};

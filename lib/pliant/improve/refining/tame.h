@@ -1,5 +1,5 @@
-// lib/pliant/improve/refining/tame.h: straight triangles that are turned over become positive: edges straightened,
-// flipped, cut.
+// lib/pliant/improve/refining/tame.h: makes logical triangles positive that are turned over, by straightening, flipping
+// and cutting.
 #pragma once
 #include <array>
 #include <unordered_map>
@@ -13,39 +13,42 @@
 namespace pliant {
 
 struct TameCounts {
-  long splits = 0;        ///< inner edges
-  long curve_splits = 0;  ///< edges on curves: knots inserted
-  long left = 0;          ///< straight triangles that are still not positive
+  long splits = 0;        ///< inner edges that were split
+  long curve_splits = 0;  ///< edges on curves that were split: knots inserted
+  long left = 0;          ///< logical triangles that are still not positive
 };
 
-/// Makes the straight triangles of valid elements positive, and their edges Delaunay as far as bends are in the way of
-/// that. Edges around a triangle that is turned over are straightened, and flipped where that makes both triangles
-/// positive; where it stays so the element is cut in two at an edge's middle. This is exact subdivision: geometry and
-/// fields stay. Since det J > 0 on the closed element, small pieces are nearly affine, and their straight triangles are
-/// positive. Beside a flip that was refused a curve that bends much is split, or an element with a bent edge cut.
+/// Makes the logical triangles of valid elements positive. Edges around a triangle that is turned over are
+/// straightened, and flipped where that makes both triangles positive. Where that does not help the element is cut in
+/// two at the middle of an edge. Such a cut is exact subdivision: geometry and fields stay. Since det J > 0 on the
+/// closed element, small pieces are nearly affine, and their logical triangles are positive.
 ///
-/// An element is cut across the longest edge of its *reference triangle*, which starts out equilateral and is cut along
-/// with it; among equal ones across the one that bends most. The neighbour is cut first where it has a longer one
-/// (Rivara's longest-edge bisection), so that the pieces' references belong to few similarity classes and the depth is
-/// bounded by how uneven the element's derivative is. An element that an edge's move or flip has changed starts anew.
+/// Where a flip is refused to an edge that is not Delaunay, bends are in the way: a curve beside it that bends much is
+/// split, or an element beside it with a bent inner edge is cut.
 ///
-/// What lies in a narrow wedge between two curves is left alone: there refinement splits both sides alike.
+/// Each element has a *reference triangle*, which starts out equilateral and is cut along with the element. An element
+/// is cut across the longest edge of its reference triangle; among equally long ones, across the edge that bends most.
+/// A neighbour that has a longer edge is cut first (Rivara's longest-edge bisection). So the references of the pieces
+/// belong to few similarity classes, and how uneven the element's derivative is bounds the number of cuts. The
+/// reference starts anew where a flip or a moved edge has changed the element.
+///
+/// Elements in a narrow wedge between two curves are left alone: there refinement splits both sides alike.
 class Tamer {
  public:
   Tamer(Mesh& mesh, const RefitOptions& refit, LegalizeCounts& flips)
       : mesh_(mesh), refit_(refit), flips_(flips), corners_(mesh) {}
 
-  /// Works on these elements, one level of cuts after the other, and on what comes of them, as long as there are no
-  /// more than `max_triangles`.
+  /// Works on these elements and on the pieces that they become, one level of cuts after the other. Cuts nothing once
+  /// the mesh has `max_triangles`.
   ///
-  /// Complexity  O(elements given + pieces made)
+  /// Complexity  O(elements + pieces)
   TameCounts tame(std::vector<TriangleId> seeds, long max_triangles);
 
  private:
   using Corners = std::array<PointId, 3>;
   struct Piece {
-    Corners corners;
-    std::array<Barycentric, 3> places;  ///< of the corners, in the reference triangle
+    Corners corners;                    ///< when these differ from the element's, the piece is out of date
+    std::array<Barycentric, 3> places;  ///< the places of the corners in the equilateral triangle
   };
 
   bool is_wild(TriangleId t) const;

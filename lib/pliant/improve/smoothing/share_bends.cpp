@@ -1,4 +1,4 @@
-// lib/pliant/improve/smoothing/share_bends.cpp: the bend of curves, shared with the elements beside them.
+// lib/pliant/improve/smoothing/share_bends.cpp: levels det J of elements on curves, then of what changed beside them.
 #include "pliant/improve/smoothing/share_bends.h"
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 namespace pliant {
 namespace {
 
-constexpr double gain = 0.02;  // of what is missing to 1: less is not worth a curved edge
+constexpr double gain = 0.02;  // a change is kept if it closes this share of the gap between the scaled Jacobian and 1
 constexpr int most_rounds = 6;
 
 double scaled_jacobian_of(const Mesh& mesh, TriangleId t) {
@@ -20,7 +20,7 @@ double scaled_jacobian_of(const Mesh& mesh, TriangleId t) {
   return scaled_jacobian(mesh.degree(), {net.data(), static_cast<std::size_t>(mesh.net_size())});
 }
 
-/// Element t and those beyond its unconstrained edges.
+/// An element and those beyond its unconstrained edges.
 struct Neighbourhood {
   std::array<TriangleId, 4> elements;
   std::size_t count = 1;
@@ -38,6 +38,7 @@ struct Neighbourhood {
   }
 };
 
+/// Levels det J of an element, altogether or in part; kept where the neighbourhood gains by it.
 bool level(Mesh& mesh, const Neighbourhood& around, const RefitOptions& options) {
   const double before = around.least_scaled_jacobian(mesh);
   for (const double part : {1.0, 0.5, 0.25}) {

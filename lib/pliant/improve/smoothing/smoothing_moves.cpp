@@ -1,4 +1,4 @@
-// lib/pliant/improve/smoothing/smoothing_moves.cpp: the ways to make an element less curved (private to smooth_curves).
+// lib/pliant/improve/smoothing/smoothing_moves.cpp: ratings of elements; moves of edges and vertices, flips.
 #include "pliant/improve/smoothing/smoothing_moves.h"
 
 #include <algorithm>
@@ -14,10 +14,10 @@
 namespace pliant {
 namespace {
 
-constexpr int turns = 3;         // of points that make room for each other
-constexpr double content = 0.8;  // lower excesses count as this one: what is so good may become worse
+constexpr int turns = 3;         // times that points which make room for each other are placed in turn
+constexpr double content = 0.8;  // lower excesses count as this one: an element so good may become worse
 
-/// Bounds under which the excess is divided by `share`.
+/// Bounds under which every excess is 1 / share times what it is under these.
 CurvatureBounds scaled(const CurvatureBounds& bounds, double share) {
   return {1 + share * (bounds.max_distortion - 1), share * bounds.max_peak, bounds.min_shape_ratio / share,
           share * bounds.max_turning, bounds.min_scaled_jacobian / share};
@@ -25,7 +25,8 @@ CurvatureBounds scaled(const CurvatureBounds& bounds, double share) {
 
 void sort_down(std::vector<double>& excesses) { std::sort(excesses.begin(), excesses.end(), std::greater<>()); }
 
-/// By how much an excess must fall to count: of a tangled element, of what lies above the valid ones.
+/// By how much an excess must fall to count. For a tangled element the share is taken of what lies above
+/// 0.99 tangled_excess.
 double margin_of(double excess, double gain) {
   return gain * (excess < tangled_excess ? excess : excess - 0.99 * tangled_excess);
 }
@@ -91,7 +92,7 @@ void SmoothingMoves::rate(std::vector<double>& excesses) const {
   sort_down(excesses);
 }
 
-/// Into now_; false, and no more is measured, where one is above `most`.
+/// Rates the elements on trial into now_. As soon as one is above `most`, returns false and measures no more.
 bool SmoothingMoves::rate_up_to(double most) {
   now_.clear();
   for (std::size_t e = 0; e < trial_.count(); ++e) {
@@ -102,7 +103,6 @@ bool SmoothingMoves::rate_up_to(double most) {
   return true;
 }
 
-/// Of elements as the mesh has them; nothing is measured where nothing is guarded.
 SmoothingMoves::PatchQuality SmoothingMoves::quality_of(std::span<const TriangleId> elements) const {
   if (!floor_) return {};
   PatchQuality quality{least_quality(mesh_, elements), 0};
@@ -114,7 +114,7 @@ bool SmoothingMoves::keeps(const PatchQuality& now, const PatchQuality& before) 
   return !floor_ || (now.invalid <= before.invalid && now.least.is_at_least(least_of(before.least, *floor_)));
 }
 
-/// Of the elements on trial, rated before: as they are there against what the mesh has.
+/// Does the guard allow the elements on trial in place of what the mesh has? Requires that now_ has their ratings.
 bool SmoothingMoves::keeps_quality() {
   if (!floor_) return true;
   const bool some_tangled = now_.front() >= tangled_excess;
@@ -129,8 +129,8 @@ bool SmoothingMoves::keeps_quality() {
   return keeps(now, quality_of(on_trial_));
 }
 
-/// Tries each way on a copy of the elements' nets, until one leaves nothing to wish for, and takes the best one if it
-/// is better than what there is. A way changes `trial_`, and returns false where it has nothing to offer.
+/// Tries each way on a copy of the elements' nets, until one makes all of them as good as `content`, and takes the best
+/// way if it is better than what the mesh has. A way changes `trial_`, or returns false where it has nothing to offer.
 template <class... Ways>
 bool SmoothingMoves::take_best(double gain, std::span<const TriangleId> elements, const Ways&... ways) {
   trial_.capture(mesh_, elements);
@@ -163,7 +163,8 @@ bool SmoothingMoves::take_best(double gain, std::span<const TriangleId> elements
   return true;
 }
 
-/// Optimal placement of the points in turn. Where elements are tangled tau is no measure to go by.
+/// Optimal placement of the points in turn. SmoothGoal::improve has nothing to offer where elements are tangled: tau
+/// says nothing about them.
 bool SmoothingMoves::place(std::span<const PointId> points, SmoothGoal goal, int rounds) {
   if (goal == SmoothGoal::improve && is_tangled_) return false;
   bool moved = false;
@@ -198,8 +199,8 @@ bool SmoothingMoves::smooth_edge(HalfEdgeId h) {
   return changed;
 }
 
-/// The element's free edges at once, where one at a time they are in each other's way: straightened, which costs
-/// little, or placed.
+/// Moves the element's free edges at once, since one at a time they may be in each other's way: straightened, which
+/// costs little, or by optimal placement.
 bool SmoothingMoves::smooth_all_edges(TriangleId t, bool straighten) {
   around_.assign(1, t);
   points_.clear();
@@ -281,7 +282,7 @@ bool SmoothingMoves::move_vertices(TriangleId t) {
   return changed;
 }
 
-/// From a vertex to the best place of the straight triangles of its star.
+/// The way from a vertex to the best place that it has in its straight star (star_).
 Vector SmoothingMoves::shift_of(PointId v) {
   triangles_.clear();
   straight_.clear();
@@ -292,7 +293,8 @@ Vector SmoothingMoves::shift_of(PointId v) {
   return is_finite(best.place) ? best.place - mesh_.point(v) : Vector{};
 }
 
-/// `away`: from the element's opposite edge, which may be what there is too little room beside.
+/// Moves a vertex, and the edges around it. `away` leads away from the opposite edge of the element that is visited:
+/// there may be too little room beside that edge.
 bool SmoothingMoves::move_vertex(PointId v, const Vector& away) {
   find_star(mesh_, v, star_);
   if (!star_.is_closed || is_on_curve(mesh_, star_)) return false;
@@ -326,7 +328,7 @@ bool SmoothingMoves::move_vertex(PointId v, const Vector& away) {
   const auto placed = [&](std::span<const PointId> points, SmoothGoal goal, int rounds) {
     return [&, points, goal, rounds] { return place(points, goal, rounds); };
   };
-  // What costs much is tried where the rest does not help.
+  // The ways that cost much are tried where the others do not help.
   return take_best(least_long_gain, around_, dragged(best), dragged(0.5 * best), dragged(0.2 * best),
                    straightened(best), straightened(0.5 * best), straightened(0.2 * best), straightened(Vector{}),
                    dragged(0.1 * away), dragged(0.3 * away), straightened(0.1 * away), straightened(0.3 * away),

@@ -1,4 +1,4 @@
-// lib/pliant/improve/smoothing/split_place.cpp: where is an edge on a curve split best, and which other one with it?
+// lib/pliant/improve/smoothing/split_place.cpp: places by bisection along the curve, and what a split would turn over.
 #include "pliant/improve/smoothing/split_place.h"
 
 #include <algorithm>
@@ -16,10 +16,10 @@
 namespace pliant {
 namespace {
 
-constexpr double balanced = 0.02;           // the parameter's middle will do: halves as equal as this
-constexpr int most_steps = 8;               // towards an end
-constexpr double least_bend_of_gap = 0.25;  // of two edges that are split together
-constexpr double least_part = 0.1;          // of an edge beside a place on a shell
+constexpr double balanced = 0.02;  // the middle of the parameter will do if the halves differ by at most this share
+constexpr int most_steps = 8;      // steps of a place towards an end
+constexpr double least_bend_of_gap = 0.25;  // two edges are split together if one bends by this share of their distance
+constexpr double least_part = 0.1;  // a place on a shell leaves at least this share of the parameter on each side
 
 Point point_on(std::span<const double> polygon, int degree, double s) {
   std::array<double, 2> value;
@@ -38,8 +38,8 @@ double bisect(std::span<const double> polygon, int degree, const Predicate& is_b
   return (low + high) / 2;
 }
 
-/// Of the two logical triangles on one side that a split at x makes: is the one at the edge's first end turned over,
-/// and can no flip of the edge behind it mend that?
+/// A split at x makes two logical triangles on each side of the edge. Is the one on h's side, at the origin or else at
+/// the target, turned over so that no flip of the edge behind it mends that?
 bool turns_over(const Mesh& mesh, HalfEdgeId h, const Point& x, bool at_origin) {
   const Point &end = mesh.point(at_origin ? mesh.origin(h) : mesh.target(h)), &apex = mesh.point(mesh.apex(h));
   const int sign = at_origin ? 1 : -1;
@@ -50,7 +50,7 @@ bool turns_over(const Mesh& mesh, HalfEdgeId h, const Point& x, bool at_origin) 
   return sign * orient2d(end, x, beyond) <= 0 || sign * orient2d(x, apex, beyond) <= 0;
 }
 
-/// How far control points are off the chord.
+/// The greatest distance of an edge's control points from the line through its chord.
 double height_over_chord(const Mesh& mesh, HalfEdgeId h) {
   const Point& a = mesh.point(mesh.origin(h));
   const Vector along = mesh.point(mesh.target(h)) - a;
@@ -60,7 +60,7 @@ double height_over_chord(const Mesh& mesh, HalfEdgeId h) {
   return most / length(along);
 }
 
-/// The control polygon of an edge, flat.
+/// The control polygon of an edge as a flat array of coordinates.
 struct Polygon {
   Polygon(const Mesh& mesh, HalfEdgeId h) : degree(mesh.degree()) {
     for (int k = 0; k <= degree; ++k) {
@@ -74,26 +74,27 @@ struct Polygon {
   std::array<double, 2 * (max_degree + 1)> flat;
 };
 
-/// The s in (0, 1) at which a curve, which leads away from a point or towards it, is `radius` away from it.
+/// The s in (0, 1) at which a curve is `radius` away from a point. Requires that it leads away from that or towards it.
 double at_radius(std::span<const double> polygon, int degree, const Point& from, double radius) {
   const bool leads_away = distance(from, point_on(polygon, degree, 0)) < distance(from, point_on(polygon, degree, 1));
   return bisect(polygon, degree, [&](const Point& x) { return (distance(from, x) < radius) == leads_away; });
 }
 
-/// How far a point is from the place of an edge that is as far from a corner.
+/// How far a point x is from that place of an edge which is as far from the corner as x.
 double gap_at(const Mesh& mesh, HalfEdgeId h, const Point& corner, const Point& x) {
   const Polygon polygon(mesh, h);
   const double s = at_radius(polygon.points(), polygon.degree, corner, distance(corner, x));
   return distance(x, point_on(polygon.points(), polygon.degree, s));
 }
 
+/// The place on a shell if one end alone is a sharp corner, else the place as far from one end as from the other.
 double balanced_place(const Mesh& mesh, HalfEdgeId h, const SharpCorners& corners, std::span<const double> polygon) {
   const int p = mesh.degree();
   const Point &a = mesh.point(mesh.origin(h)), &b = mesh.point(mesh.target(h));
   const bool is_corner[2] = {corners.contains(mesh.origin(h)), corners.contains(mesh.target(h))};
   if (is_corner[0] != is_corner[1]) {
     const Point& apex = is_corner[0] ? a : b;
-    // The shell between 1/3 and 2/3 of the way.
+    // The radii of shells are powers of two; this one lies between 1/3 and 2/3 of the chord.
     const double radius = std::exp2(std::floor(std::log2(distance(a, b) * (2.0 / 3))));
     const double s = at_radius(polygon, p, apex, radius);
     if (s > least_part && s < 1 - least_part) return s;
@@ -109,8 +110,8 @@ double split_place(const Mesh& mesh, HalfEdgeId h, const SharpCorners& corners) 
   const int p = mesh.degree();
   const Polygon all(mesh, h);
   const std::span<const double> polygon = all.points();
-  // As far from the corner as the vertex on the other side, so that the two are neighbours; exactly so, for the chords
-  // of curves that bend by more than they are apart must be in the order of the curves.
+  // As far from the corner as the vertex on the other side, so that the two become neighbours. Exactly as far: where
+  // curves bend by more than they are apart, only then are their chords in the order of the curves.
   if (const SharpCorners::Mirror mirror = corners.mirror(mesh, h); mirror.corner != none) {
     const double s = at_radius(polygon, p, mesh.point(mirror.corner), mirror.radius);
     if (s > least_part && s < 1 - least_part) return s;
@@ -169,7 +170,7 @@ SplitPartner find_partner(const Mesh& mesh, HalfEdgeId h, const SharpCorners& co
 }
 
 HalfEdgeId curve_that_turns_over(const Mesh& mesh, TriangleId t) {
-  constexpr double least_bend = 1e-3;  // of the chord: a shorter one does nothing
+  constexpr double least_bend = 1e-3;  // in lengths of the chord: an edge that bends less turns nothing over
   if (!is_turned_over(mesh, t)) return none;
   std::vector<TriangleId> cluster{t};
   HalfEdgeId found = none;

@@ -1,4 +1,4 @@
-// lib/pliant/improve/smoothing/straighten_edges.cpp: inner edges as straight as the curves beside them allow.
+// lib/pliant/improve/smoothing/straighten_edges.cpp: sweeps over the edges that are not straight.
 #include "pliant/improve/smoothing/straighten_edges.h"
 
 #include <algorithm>
@@ -12,7 +12,8 @@ namespace {
 
 constexpr int most_rounds = 4;
 
-/// To rounding: by less than this part of the edge, or four units in the last place of its coordinates.
+/// Is an edge straight up to rounding? Its control points are off by less than 1e-14 of its length, or by at most four
+/// units in the last place of its coordinates.
 bool is_straight(const Mesh& mesh, HalfEdgeId h) {
   constexpr double rounding = 1e-14, rounding_of_coordinate = 0x1p-50;
   const Point &a = mesh.point(mesh.origin(h)), &b = mesh.point(mesh.target(h));

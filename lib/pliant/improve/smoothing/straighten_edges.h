@@ -1,4 +1,4 @@
-// lib/pliant/improve/smoothing/straighten_edges.h: inner edges as straight as the curves beside them allow.
+// lib/pliant/improve/smoothing/straighten_edges.h: makes inner edges as straight as the curves beside them allow.
 #pragma once
 #include "pliant/mesh/mesh.h"
 #include "pliant/ops/refit_options.h"
@@ -7,13 +7,13 @@ namespace pliant {
 
 struct StraightenCounts {
   long straightened = 0;
-  long left = 0;  ///< that cannot be straight
+  long left = 0;  ///< edges that cannot be straight
 };
 /// Makes unconstrained edges straight, with equally spaced control points, wherever the elements stay valid; an edge
-/// that has to stay curved because of a neighbour is tried again after it. Subdivision carries the bend of a curve far
-/// into the mesh, where it serves nothing: this is for meshes that are new.
+/// that a curved neighbour keeps from being straight is tried again after that one. This is for new meshes: subdivision
+/// has carried the bends of curves far into them, where they serve nothing.
 ///
-/// Complexity  O(edges), most of them looked at only
+/// Complexity  O(edges)
 StraightenCounts straighten_edges(Mesh& mesh, const RefitOptions& options = {});
 
 }  // namespace pliant

@@ -1,5 +1,5 @@
-// lib/pliant/improve/smoothing/straighten_together.cpp: bent edges that are in each other's way become straight at
-// once.
+// lib/pliant/improve/smoothing/straighten_together.cpp: a cluster of bent edges, less those beside elements that would
+// be invalid.
 #include "pliant/improve/smoothing/straighten_together.h"
 
 #include <algorithm>
@@ -14,9 +14,10 @@ namespace {
 
 constexpr std::size_t most_elements = 48;
 
+/// Bent edges that hang together, and the elements beside them.
 struct Cluster {
   std::vector<TriangleId> elements;
-  std::vector<HalfEdgeId> edges;  ///< one half of each
+  std::vector<HalfEdgeId> edges;  ///< one half-edge of each
 };
 
 Cluster cluster_around(const Mesh& mesh, HalfEdgeId seed, bool (*is_bent)(const Mesh&, HalfEdgeId)) {

@@ -1,4 +1,4 @@
-// lib/pliant/improve/smoothing/turn_back.cpp: straight triangles that are turned over, under elements valid or not.
+// lib/pliant/improve/smoothing/turn_back.cpp: turns logical triangles back that are turned over, by vertices and flips.
 #include <algorithm>
 #include <array>
 #include <functional>
@@ -10,9 +10,10 @@
 namespace pliant {
 namespace {
 
-constexpr int smoothing_rounds = 3;  // of the edges around a vertex that turns triangles back
+constexpr int smoothing_rounds = 3;  // times that the edges around a moved vertex are smoothed
 
-/// No element is worse for it, from the worst on; what is fine may become less so.
+/// Is the sorted list of excesses not worse than before? Excesses of elements that are fine count as 1, so these may
+/// become less good.
 bool is_no_worse(std::span<const double> now, std::span<const double> before) {
   for (std::size_t k = 0; k < now.size(); ++k) {
     const double a = std::max(1.0, now[k]), b = std::max(1.0, before[k]);
@@ -40,8 +41,8 @@ bool SmoothingMoves::turn_back(TriangleId t) {
   return false;
 }
 
-/// Fewer of the straight triangles around the vertex are turned over, and the elements are no worse, if need be after
-/// their edges are smoothed.
+/// Moves a vertex towards the best place of its straight star. Kept if fewer of the logical triangles around it are
+/// turned over than before, and the elements are no worse, if need be after their edges are smoothed.
 bool SmoothingMoves::turn_back_by_vertex(PointId v) {
   find_star(mesh_, v, star_);
   if (!star_.is_closed || is_on_curve(mesh_, star_)) return false;

@@ -1,4 +1,4 @@
-// lib/pliant/improve/smoothing/unmended.cpp: elements that smoothing leaves invalid or too curved, and why.
+// lib/pliant/improve/smoothing/unmended.cpp: the reason, as far as the element alone shows it, and its words.
 #include "pliant/improve/smoothing/unmended.h"
 
 #include <array>
@@ -12,7 +12,7 @@
 namespace pliant {
 namespace {
 
-/// A corner between two edges on curves is what these curves make it.
+/// Does the element have a corner between two edges on curves where det J <= 0? These curves alone decide that.
 bool has_fixed_bad_corner(const Mesh& mesh, TriangleId t) {
   for (int e = 0; e < 3; ++e) {
     const HalfEdgeId out = half_edge(t, e), in = previous(out);
