@@ -112,6 +112,20 @@ class Layers(unittest.TestCase):
         told = re.findall(r"^\| `([^`]+)` \| .*\.( \|)$", page, re.MULTILINE)
         self.assertEqual(sorted(rooms()), sorted(room for room, _ in told))
 
+    def test_no_folder_has_more_than_thirty_files(self):
+        folders = collections.Counter(
+            file.parent for top in ("lib", "formats", "tools", "tests", "man", "samples")
+            for file in (ROOT / top).rglob("*")
+            if file.is_file() and not {"node_modules", "out", "build", "__pycache__"} & set(file.parts))
+        self.assertEqual({}, {str(folder): count for folder, count in folders.items() if count > 30})
+
+    def test_no_source_has_more_than_350_lines(self):
+        files = sources() + [file for file in (ROOT / "tests").rglob("*") if file.suffix in (".h", ".cpp", ".py")
+                             and "node_modules" not in file.parts]
+        long = {str(file): lines for file in files
+                if (lines := len(file.read_text(encoding="utf-8").splitlines())) > 350}
+        self.assertEqual({}, long)
+
     def test_an_include_below_or_within_is_allowed(self):
         self.assertEqual([], faults_of("lib/pliant/ops/a.cpp", '#include "pliant/mesh/mesh.h"\n#include <vector>\n'))
         self.assertEqual([], faults_of("tools/a.cpp", '#include "formats/picture/svg.h"\n#include <CLI/CLI.hpp>\n'))

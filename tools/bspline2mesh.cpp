@@ -13,7 +13,7 @@
 #include "pliant/generate/mesh_from_boundary.h"
 #include "pliant/generate/refine_first_mesh.h"
 #include "pliant/mesh/check_mesh.h"
-#include "pliant/mesh/document_unit.h"
+#include "pliant/mesh/documents/document_unit.h"
 #include "run/documents.h"
 #include "run/exit_status.h"
 #include "run/frame_reports.h"

@@ -6,7 +6,7 @@
 #include "options/field_option.h"
 #include "options/numbers.h"
 #include "pliant/mesh/check_mesh.h"
-#include "pliant/mesh/document_unit.h"
+#include "pliant/mesh/documents/document_unit.h"
 #include "run/documents.h"
 #include "run/exit_status.h"
 #include "run/frame_reports.h"

@@ -10,7 +10,7 @@
 #include "formats/report/report_json.h"
 #include "formats/report/report_text.h"
 #include "pliant/geometry/describe.h"
-#include "pliant/mesh/document_unit.h"
+#include "pliant/mesh/documents/document_unit.h"
 #include "pliant/quality/element/condition.h"
 #include "pliant/quality/quality_report.h"
 #include "run/documents.h"

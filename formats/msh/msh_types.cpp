@@ -10,6 +10,17 @@ namespace {
 
 using Family = MshElementType::Family;
 
+/// Notes the orders of the types that are read: all that a mesh may have as its degree. Type 24, of order 5, has its 15
+/// nodes on the edges only, so it is not among them.
+void set_orders(std::array<MshElementType, msh_type_count>& types) {
+  for (const auto& [number, order] :
+       {std::pair(1, 1),  std::pair(8, 2),  std::pair(26, 3), std::pair(27, 4), std::pair(28, 5),
+        std::pair(62, 6), std::pair(63, 7), std::pair(64, 8), std::pair(65, 9), std::pair(66, 10),
+        std::pair(2, 1),  std::pair(9, 2),  std::pair(21, 3), std::pair(23, 4), std::pair(25, 5),
+        std::pair(42, 6), std::pair(43, 7), std::pair(44, 8), std::pair(45, 9), std::pair(46, 10)})
+    types[static_cast<std::size_t>(number)].order = order;
+}
+
 /// The table of types by their numbers; type 10, the quadrangle of 9 nodes, is {quadrangle, 9}.
 std::array<MshElementType, msh_type_count> make_types() {
   std::array<MshElementType, msh_type_count> types;
@@ -62,14 +73,7 @@ std::array<MshElementType, msh_type_count> make_types() {
   set(Family::triangle, 138, {4});
   set(Family::tetrahedron, 139, {5});
   set(Family::other, 140, {4});
-  // The types that are read: all orders that a mesh may have as its degree. Type 24, of order 5, has its 15 nodes on
-  // the edges only, so it is not among them.
-  for (const auto& [number, order] :
-       {std::pair(1, 1),  std::pair(8, 2),  std::pair(26, 3), std::pair(27, 4), std::pair(28, 5),
-        std::pair(62, 6), std::pair(63, 7), std::pair(64, 8), std::pair(65, 9), std::pair(66, 10),
-        std::pair(2, 1),  std::pair(9, 2),  std::pair(21, 3), std::pair(23, 4), std::pair(25, 5),
-        std::pair(42, 6), std::pair(43, 7), std::pair(44, 8), std::pair(45, 9), std::pair(46, 10)})
-    types[static_cast<std::size_t>(number)].order = order;
+  set_orders(types);
   return types;
 }
 

@@ -80,6 +80,9 @@ struct GltfWriter::State {
   int material(int& slot, const char* name, const Rgb& color, double opacity);
   int add_node(const char* name, const std::vector<tinygltf::Primitive>& primitives, const Box& box, double height);
   void add_outlines(const MeshData& mesh, std::vector<Point>& vertices, std::vector<std::uint32_t>& triangles) const;
+  /// Gives a frame's node its children: elements, invalid ones, edges, and curves as a strip of triangles.
+  void add_parts(const Tessellation& pieces, const std::vector<Point>& curve_points,
+                 const std::vector<std::uint32_t>& curve_triangles, const Box& box, tinygltf::Node& frame);
   void add_circles();
   void color_vertices();
   void animate();
@@ -216,6 +219,39 @@ void GltfWriter::State::animate() {
 GltfWriter::GltfWriter(GltfOptions options) : state_(std::make_unique<State>(std::move(options))) {}
 GltfWriter::~GltfWriter() = default;
 
+void GltfWriter::State::add_parts(const Tessellation& pieces, const std::vector<Point>& curve_points,
+                                  const std::vector<std::uint32_t>& curve_triangles, const Box& box,
+                                  tinygltf::Node& frame) {
+  const int at = buffer.add_positions(pieces.vertices, box);
+  const std::size_t count = pieces.vertices.size();
+  const bool colored = options.color.kind != ColorBy::Kind::nothing;
+  const int colors = colored ? add_colors(pieces) : -1;
+  const auto part = [&](const char* name, const tinygltf::Primitive& p, double height) {
+    frame.children.push_back(add_node(name, {p}, box, height));
+  };
+  if (!pieces.triangles.empty()) {
+    auto filled = primitive(at, buffer.add_indices(pieces.triangles, count),
+                            material(fill, "elements", colored ? Rgb{1, 1, 1} : plain, 1), TINYGLTF_MODE_TRIANGLES);
+    if (colored) filled.attributes["COLOR_0"] = colors;
+    part("elements", filled, 0);
+  }
+  if (!pieces.marked.empty())
+    part("invalid",
+         primitive(at, buffer.add_indices(pieces.marked, count), material(invalid, "invalid", invalid_color, 1),
+                   TINYGLTF_MODE_TRIANGLES),
+         1);
+  if (options.edges && !pieces.inner_lines.empty())
+    part("edges",
+         primitive(at, buffer.add_indices(pieces.inner_lines, count), material(lines, "edges", ink, 0.55),
+                   TINYGLTF_MODE_LINE),
+         2);
+  if (!curve_triangles.empty())
+    part("curves",
+         primitive(buffer.add_positions(curve_points, box), buffer.add_indices(curve_triangles, curve_points.size()),
+                   material(outline, "curves", ink, 1), TINYGLTF_MODE_TRIANGLES),
+         3);
+}
+
 void GltfWriter::add(const MeshData& mesh) {
   State& s = *state_;
   const GltfOptions& options = s.options;
@@ -254,35 +290,8 @@ void GltfWriter::add(const MeshData& mesh) {
   for (const Point& p : outline) box.extend(p);
   require_drawable(box);
 
-  const int at = s.buffer.add_positions(pieces.vertices, box);
-  const std::size_t count = pieces.vertices.size();
-  const bool colored = options.color.kind != ColorBy::Kind::nothing;
-  const int colors = colored ? s.add_colors(pieces) : -1;
   tinygltf::Node frame;
-  const auto part = [&](const char* name, const tinygltf::Primitive& p, double height) {
-    frame.children.push_back(s.add_node(name, {p}, box, height));
-  };
-  if (!pieces.triangles.empty()) {
-    auto fill = primitive(at, s.buffer.add_indices(pieces.triangles, count),
-                          s.material(s.fill, "elements", colored ? Rgb{1, 1, 1} : plain, 1), TINYGLTF_MODE_TRIANGLES);
-    if (colored) fill.attributes["COLOR_0"] = colors;
-    part("elements", fill, 0);
-  }
-  if (!pieces.marked.empty())
-    part("invalid",
-         primitive(at, s.buffer.add_indices(pieces.marked, count), s.material(s.invalid, "invalid", invalid_color, 1),
-                   TINYGLTF_MODE_TRIANGLES),
-         1);
-  if (options.edges && !pieces.inner_lines.empty())
-    part("edges",
-         primitive(at, s.buffer.add_indices(pieces.inner_lines, count), s.material(s.lines, "edges", ink, 0.55),
-                   TINYGLTF_MODE_LINE),
-         2);
-  if (!outline_triangles.empty())
-    part("curves",
-         primitive(s.buffer.add_positions(outline, box), s.buffer.add_indices(outline_triangles, outline.size()),
-                   s.material(s.outline, "curves", ink, 1), TINYGLTF_MODE_TRIANGLES),
-         3);
+  s.add_parts(pieces, outline, outline_triangles, box, frame);
   frame.name = "frame " + std::to_string(s.frames.size());
   if (const Vector shift = origin - s.place.center; shift.x != 0 || shift.y != 0)
     frame.translation = {shift.x, shift.y, 0};

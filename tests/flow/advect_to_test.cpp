@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "pliant/mesh/document_unit.h"
+#include "pliant/mesh/documents/document_unit.h"
 #include "support/sample_meshes.h"
 
 using namespace pliant;

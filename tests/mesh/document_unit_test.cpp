@@ -1,5 +1,5 @@
 // tests/mesh/document_unit_test.cpp: documents of extreme size are scaled to near 1 and back exactly, or are refused.
-#include "pliant/mesh/document_unit.h"
+#include "pliant/mesh/documents/document_unit.h"
 
 #include <catch2/catch.hpp>
 #include <cmath>

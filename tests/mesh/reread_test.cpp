@@ -1,12 +1,12 @@
 // tests/mesh/reread_test.cpp: a mesh reread is the one that a reader of its document gets.
-#include "pliant/mesh/reread.h"
+#include "pliant/mesh/documents/reread.h"
 
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <stdexcept>
 
 #include "pliant/boundary/fault.h"
-#include "pliant/mesh/document_unit.h"
+#include "pliant/mesh/documents/document_unit.h"
 #include "support/sample_meshes.h"
 
 using namespace pliant;

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "formats/document/mesh_json.h"
-#include "pliant/mesh/document_unit.h"
+#include "pliant/mesh/documents/document_unit.h"
 #include "run/require_mesh.h"
 #include "stages/run_stage.h"
 #include "stages/table.h"

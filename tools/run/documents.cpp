@@ -11,7 +11,7 @@
 #include "formats/document/mesh_json.h"
 #include "formats/document/read_json.h"
 #include "formats/msh/msh.h"
-#include "pliant/mesh/document_unit.h"
+#include "pliant/mesh/documents/document_unit.h"
 #include "run/doubts.h"
 #include "run/exit_status.h"
 

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "pliant/mesh/document_unit.h"
+#include "pliant/mesh/documents/document_unit.h"
 #include "run/exit_status.h"
 
 namespace pliant {

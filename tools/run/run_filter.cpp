@@ -6,7 +6,7 @@
 
 #include "formats/document/mesh_json.h"
 #include "options/criteria_options.h"
-#include "pliant/mesh/document_unit.h"
+#include "pliant/mesh/documents/document_unit.h"
 #include "run/documents.h"
 #include "run/doubts.h"
 #include "run/exit_status.h"
@@ -33,6 +33,22 @@ MissedGoals count_missed(const Mesh& mesh) {
   }
 }
 
+/// Completes a quality change after the pass, in the units of the document.
+void measure_after(const MeshData& data, const Mesh& mesh, QualityChange& quality) {
+  quality.after = summarize_quality(data);
+  quality.missed_after = count_missed(mesh);
+  for (QualitySummary* summary : {&quality.before, &quality.after})
+    for (ComponentSize& size : summary->fields) size.l2 *= data.boundary.unit;  // the root of an integral over the area
+}
+
+/// Writes the mesh in the units of its document. `text` is memory that is used again.
+void write_document(MeshData& data, OutputFile& output, std::string& text) {
+  restore_unit(data);
+  text.clear();
+  write_mesh(data, text);
+  output.write(text);
+}
+
 }  // namespace
 
 int run_filter(Stage& stage, int argc, char** argv) {
@@ -56,12 +72,11 @@ int run_filter(Stage& stage, int argc, char** argv) {
       MeshData data = read_mesh(document, doubts.found());
       doubts.say_new(document, frame);
       normalize_unit(data);
-      const double unit = data.boundary.unit;
       std::vector<std::pair<std::string, double>> seconds{{"read", watch.lap()}};
       line.stage("check");
-      in_unit(unit, [&] { require_mesh(data, stage.accepts_tangled()); });
-      double checking = watch.lap(), measuring = 0;
+      in_unit(data.boundary.unit, [&] { require_mesh(data, stage.accepts_tangled()); });
       std::optional<QualityChange> quality;
+      double checking = watch.lap(), measuring = 0;
       if (reports.is_wanted()) {
         quality.emplace().before = summarize_quality(data);
         measuring = watch.lap();
@@ -76,21 +91,15 @@ int run_filter(Stage& stage, int argc, char** argv) {
       const PassReport report = run_stage(stage, mesh, context);
       seconds.emplace_back("pass", watch.lap());
       line.stage("write");
-      text.clear();
       data = mesh.to_data();
       const double unpacking = watch.lap();
       if (quality) {  // before the mesh may have its extreme size again
         line.stage("measure");
-        quality->after = summarize_quality(data);
-        quality->missed_after = count_missed(mesh);
-        for (QualitySummary* summary : {&quality->before, &quality->after})
-          for (ComponentSize& size : summary->fields) size.l2 *= unit;  // the root of an integral over the area
+        measure_after(data, mesh, *quality);
         measuring += watch.lap();
         line.stage("write");
       }
-      restore_unit(data);
-      write_mesh(data, text);
-      output.write(text);
+      write_document(data, output, text);
       seconds.emplace_back("write", unpacking + watch.lap());
       if (quality) seconds.emplace_back("quality", measuring);
       reports.add(frame, mesh.time, report, seconds, quality ? &*quality : nullptr);

@@ -2,7 +2,7 @@
 #include "stages/run_stage.h"
 
 #include "pliant/geometry/describe.h"
-#include "pliant/mesh/reread.h"
+#include "pliant/mesh/documents/reread.h"
 #include "run/in_unit.h"
 #include "run/require_mesh.h"
 

@@ -125,6 +125,19 @@ void PatchFields::put_residuals(Mesh& mesh, PointId p, FaceId f, std::span<const
 }
 
 /// Corners, then edges, then the inside; what a neighbour has set is known.
+namespace {
+
+/// Where the interpolation node of control point k lies in an element of these coordinates.
+Point place_of_node(const NetLayout& layout, int k, std::span<const double> coordinates) {
+  Barycentric xi{};
+  for (std::size_t c = 0; c < 3; ++c) xi[c] = static_cast<double>(layout.exponents(k)[c]) / layout.degree();
+  Point place;
+  evaluate_net(layout.degree(), 2, coordinates, xi, {&place.x, 2});
+  return place;
+}
+
+}  // namespace
+
 void PatchFields::fit_element(Mesh& mesh, TriangleId t, std::span<const PointId> free, bool is_limited) {
   const NetLayout& layout = mesh.layout();
   const auto ids = mesh.net(t);
@@ -149,14 +162,7 @@ void PatchFields::fit_element(Mesh& mesh, TriangleId t, std::span<const PointId>
     is_set_[index(number_of(ids[index(k)]))] = 1;
     read(k);  // as limited
   };
-  const auto sample_node = [&](int k, std::span<double> out) {
-    const auto& exponents = layout.exponents(k);
-    Barycentric xi{};
-    for (std::size_t c = 0; c < 3; ++c) xi[c] = static_cast<double>(exponents[c]) / degree_;
-    Point place;
-    evaluate_net(degree_, 2, coordinates, xi, {&place.x, 2});
-    sample(place, out);
-  };
+  const auto sample_node = [&](int k, std::span<double> out) { sample(place_of_node(layout, k, coordinates), out); };
   for (int c = 0; c < 3; ++c) {
     read(c);
     if (!wants_value(ids[index(c)])) continue;

@@ -14,6 +14,7 @@
 #include "pliant/geometry/linear_triangle.h"
 #include "pliant/improve/legalize.h"
 #include "pliant/improve/refining/expected_insertions.h"
+#include "pliant/improve/refining/find_poor.h"
 #include "pliant/improve/refining/insertion_search.h"
 #include "pliant/improve/refining/refine_attack.h"
 #include "pliant/improve/refining/sharp_corners.h"
@@ -22,7 +23,6 @@
 #include "pliant/improve/triangle_budget.h"
 #include "pliant/mesh/locate.h"
 #include "pliant/mesh/star.h"
-#include "pliant/mesh/turned_over.h"
 #include "pliant/ops/insert_point.h"
 
 namespace pliant {
@@ -45,18 +45,6 @@ constexpr double least_of_gap = 0.5;
 constexpr double off_center = 0.95;
 // A mesh is renumbered after a round that leaves fewer triangles than this for each new vertex.
 constexpr long triangles_per_new_vertex = 8;
-
-double longest_edge(const Mesh& mesh, TriangleId t) {
-  double longest = 0;
-  for (int e = 0; e < 3; ++e)
-    longest = std::max(longest, distance(mesh.point(mesh.corner(t, e)), mesh.point(mesh.corner(t, (e + 1) % 3))));
-  return longest;
-}
-
-/// Does the triangle lie opposite a small angle between two curves? Then nothing mends it.
-bool is_excused(const Mesh& mesh, TriangleId t, const SharpCorners& corners) {
-  return !corners.empty() && corners.excuses(mesh, shortest_edge(mesh, t), longest_edge(mesh, t));
-}
 
 /// What all rounds have done, and which triangles the last one has given up.
 struct Tally {
@@ -279,17 +267,6 @@ void Round::exceed(const Attack& attack) const {
                            "--min-size bounds their size, --min-angle 0 asks for no shape)"
                          : ": ask for larger elements";
   throw TooManyTriangles(text + ", or allow more (--max-triangles)");
-}
-
-/// The triangles that are poor or turned over, without those that a small angle between curves excuses.
-std::vector<TriangleId> find_poor(const Mesh& mesh, const QualityGoals& goals) {
-  std::vector<TriangleId> poor;
-  for (TriangleId t = 0; t < mesh.triangle_slots(); ++t)
-    if (mesh.is_alive(t) && (is_turned_over(mesh, t) || attack_on(mesh, t, goals).is_poor)) poor.push_back(t);
-  if (poor.empty()) return poor;
-  const SharpCorners corners(mesh);
-  std::erase_if(poor, [&](TriangleId t) { return is_excused(mesh, t, corners); });
-  return poor;
 }
 
 /// Removes what would keep poor triangles from being flipped.

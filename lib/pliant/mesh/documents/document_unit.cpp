@@ -1,5 +1,6 @@
-// lib/pliant/mesh/document_unit.cpp: the power of two by which a document is scaled, and scaling that loses no digit.
-#include "pliant/mesh/document_unit.h"
+// lib/pliant/mesh/documents/document_unit.cpp: the power of two by which a document is scaled, and scaling that loses
+// no digit.
+#include "pliant/mesh/documents/document_unit.h"
 
 #include <algorithm>
 #include <cmath>

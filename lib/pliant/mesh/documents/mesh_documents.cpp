@@ -1,4 +1,5 @@
-// lib/pliant/mesh/mesh_documents.cpp: a mesh from its document and back: numbers, adjacency, constrained edges, fields.
+// lib/pliant/mesh/documents/mesh_documents.cpp: a mesh from its document and back: numbers, adjacency, constrained
+// edges, fields.
 #include <algorithm>
 
 #include "pliant/geometry/index.h"

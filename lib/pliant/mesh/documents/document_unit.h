@@ -1,4 +1,5 @@
-// lib/pliant/mesh/document_unit.h: very large and very small documents scaled to a size near 1 by a power of two.
+// lib/pliant/mesh/documents/document_unit.h: very large and very small documents scaled to a size near 1 by a power of
+// two.
 #pragma once
 #include "pliant/mesh/mesh.h"
 #include "pliant/mesh/pass_report.h"

@@ -1,4 +1,4 @@
-// lib/pliant/mesh/reread.h: a mesh as it would be if it had been written to a document and read again.
+// lib/pliant/mesh/documents/reread.h: a mesh as it would be if it had been written to a document and read again.
 #pragma once
 #include "pliant/mesh/mesh.h"
 

@@ -1,11 +1,12 @@
-// lib/pliant/mesh/reread.cpp: compacts a mesh and chooses its unit of length anew, if all its numbers are finite.
-#include "pliant/mesh/reread.h"
+// lib/pliant/mesh/documents/reread.cpp: compacts a mesh and chooses its unit of length anew, if all its numbers are
+// finite.
+#include "pliant/mesh/documents/reread.h"
 
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
-#include "pliant/mesh/document_unit.h"
+#include "pliant/mesh/documents/document_unit.h"
 
 namespace pliant {
 namespace {

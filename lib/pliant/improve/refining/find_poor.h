@@ -1,0 +1,21 @@
+// lib/pliant/improve/refining/find_poor.h: the triangles that are to be flipped or cut before a round of refinement.
+#pragma once
+#include <vector>
+
+#include "pliant/improve/refining/sharp_corners.h"
+#include "pliant/improve/sizing.h"
+#include "pliant/mesh/mesh.h"
+
+namespace pliant {
+
+/// The length of the longest edge of a logical triangle.
+double longest_edge(const Mesh& mesh, TriangleId t);
+
+/// Does the triangle lie opposite a small angle between two curves? Then nothing mends it.
+bool is_excused(const Mesh& mesh, TriangleId t, const SharpCorners& corners);
+
+/// The triangles that are poor or turned over, without those that a small angle between curves excuses.
+/// Complexity  O(mesh)
+std::vector<TriangleId> find_poor(const Mesh& mesh, const QualityGoals& goals);
+
+}  // namespace pliant
