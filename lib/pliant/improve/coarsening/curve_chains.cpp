@@ -1,4 +1,4 @@
-// lib/pliant/improve/coarsening/curve_chains.cpp: the vertices on each curve, in its order.
+// lib/pliant/improve/coarsening/curve_chains.cpp: collects the spans of each curve and sorts them.
 #include "pliant/improve/coarsening/curve_chains.h"
 
 #include <algorithm>

@@ -6,15 +6,17 @@
 
 namespace pliant {
 
-/// The vertices of one curve and the breaks at which they stand, both ends of an open curve too; a closed curve's
-/// first vertex is not repeated.
+/// The vertices of one curve, and the breaks at which they stand. Both ends of an open curve are among them; the first
+/// vertex of a closed curve is not repeated at the end.
 struct CurveChain {
   std::vector<double> breaks;
   std::vector<PointId> vertices;
   bool closed = false;
 };
 
-/// By curve.   Complexity O(mesh + edges on curves * log)
+/// The chain of each curve.
+///
+/// Complexity  O(triangles + n log n) with n edges on curves
 std::vector<CurveChain> curve_chains(const Mesh& mesh);
 
 }  // namespace pliant

@@ -11,9 +11,9 @@
 namespace pliant {
 namespace {
 
-constexpr double rim = 1.6;  // how far around a chosen vertex the next ones are looked for, in its sphere's radii
-constexpr double along_curve = 0.97;  // length of a curve's edges, in wanted lengths, at factor 1
-constexpr double in_plane = 0.8;      // radius of a sphere, in wanted lengths, at factor 1
+constexpr double rim = 1.6;           // the next vertices are looked for within so many radii of a chosen one
+constexpr double along_curve = 0.97;  // length of the edges that are chosen on curves, in wanted lengths, at factor 1
+constexpr double in_plane = 0.8;      // least distance of two chosen inner vertices, in wanted lengths, at factor 1
 
 class Chooser {
  public:
@@ -35,7 +35,7 @@ class Chooser {
     for (const PointId v : preferred)
       if (is_candidate(v)) choose(v);
     advance();
-    for (PointId v = 0; v < mesh_.point_slots(); ++v) {  // what no front has reached
+    for (PointId v = 0; v < mesh_.point_slots(); ++v) {  // vertices that no front has reached
       if (!is_candidate(v)) continue;
       choose(v);
       advance();
@@ -49,7 +49,7 @@ class Chooser {
   }
   double far(PointId v, PointId w) const { return quick_distance(mesh_.point(v), mesh_.point(w)); }
 
-  /// Even steps in wanted lengths between the vertices that are kept.
+  /// Chooses vertices along a curve, in even steps of wanted lengths between the vertices that are kept.
   void choose_along(const CurveChain& chain) {
     const auto count = chain.vertices.size();
     if (count < 3) return;
@@ -78,7 +78,7 @@ class Chooser {
     }
   }
 
-  /// Shuts out the inner vertices in the sphere of v; those beyond, not too far, are next.
+  /// Chooses v and shuts out the inner vertices in its sphere. Those a little further out are queued to be chosen next.
   void choose(PointId v) {
     chosen_[index(v)] = true;
     front_.assign(1, v);

@@ -6,15 +6,16 @@
 
 namespace pliant {
 
-/// By point slot, true for a maximal set of vertices of which no two inner ones are closer than 0.8 `factor` times the
-/// mean of their wanted lengths, and no inner one is that close to another. All `kept` ones belong to it; between them,
-/// along each curve, as many as the wanted lengths ask for, as even as they can be; then the inner ones, from those
-/// outward: the nearest to what is chosen already comes first, which packs them densely and evenly. Before all these
-/// come the `preferred` inner ones, where they are not too close to each other.
+/// Chooses a maximal set of vertices in which no inner vertex is closer to another one than 0.8 `factor` times the mean
+/// of the two wanted lengths. Returns for each point slot whether it was chosen. The order of choice:
+/// - all `kept` vertices, and between them along each curve as many as the wanted lengths ask for, as even as possible;
+/// - the `preferred` inner vertices, where they are not too close to each other or to the ones before;
+/// - the other inner vertices, from the chosen ones outward. The vertex nearest to what is chosen already comes first,
+///   which packs them densely and evenly.
 ///
 /// Reference   Talmor, Well-spaced points for numerical methods; Miller, Talmor, Teng, Optimal coarsening of
 ///             unstructured meshes
-/// Complexity  O(V log V + the vertices in all spheres)
+/// Complexity  O(V log V) with V vertices, plus the vertices in all spheres
 std::vector<bool> independent_set(const Mesh& mesh, const VertexGraph& graph, const std::vector<CurveChain>& chains,
                                   const std::vector<VertexRole>& roles, const std::vector<double>& spacing,
                                   const std::vector<PointId>& preferred, double factor);

@@ -1,4 +1,4 @@
-// lib/pliant/improve/coarsening/local_feature_size.cpp: how far a curve is from its medial axis.
+// lib/pliant/improve/coarsening/local_feature_size.cpp: samples the curves, and takes the disks that touch them there.
 #include "pliant/improve/coarsening/local_feature_size.h"
 
 #include <algorithm>
@@ -11,17 +11,17 @@
 namespace pliant {
 namespace {
 
-constexpr double corner_angle = 0.05;  // radians: where tangents differ by more, a curve has a corner
+constexpr double corner_angle = 0.05;  // radians: a curve has a corner where its tangents differ by more
 
 Vector unit(const Vector& v) {
   const double size = length(v);
   return size > 0 ? v / size : Vector{};
 }
 
-/// Curves sampled at vertices and middles of spans, cut at their corners.
+/// Samples of curves at vertices and at the middles of spans. The curves are cut into stretches at their corners.
 struct Sampling {
   std::vector<CurveSample> samples;
-  std::vector<std::array<PointId, 2>> vertices;  // whose size each sample bounds
+  std::vector<std::array<PointId, 2>> vertices;  // the vertices whose size each sample bounds
   std::vector<CurveStretch> stretches;
 
   void add(const Point& place, const Vector& tangent, PointId v, PointId w) {
@@ -31,8 +31,8 @@ struct Sampling {
   void add_curve(const Mesh& mesh, const BSpline& spline, const CurveChain& chain);
 };
 
-/// Ends of an open curve count as corners; on a closed one with a single corner another place does too, so that both
-/// sides of the corner are apart.
+/// Which vertices of a chain are corners. The ends of an open curve count as corners. A closed curve with a single
+/// corner gets a second one, so that the two sides of the corner belong to two stretches.
 std::vector<bool> corners_of(const BSpline& spline, const CurveChain& chain) {
   const std::size_t count = chain.vertices.size();
   std::vector<bool> is_corner(count, false);

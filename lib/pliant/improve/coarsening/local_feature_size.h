@@ -1,4 +1,4 @@
-// lib/pliant/improve/coarsening/local_feature_size.h: how far a curve is from its medial axis.
+// lib/pliant/improve/coarsening/local_feature_size.h: how far a curve is from its medial axis: the local feature size.
 #pragma once
 #include <vector>
 
@@ -6,14 +6,17 @@
 
 namespace pliant {
 
-/// The local feature size at the vertices on curves, by point slot; infinite elsewhere. It is the radius of the smaller
-/// of the two disks that touch the curve there, one from each side, and reach as far as the next point of a curve: the
-/// radius of curvature where a curve bends, half the gap where another stretch of a curve is near. Curves that meet do
-/// not count for each other (Ruppert), nor do a curve's two stretches at a corner, and a curve's ends have no size of
-/// their own. Measured between vertices and middles of spans.
+/// The local feature size at the vertices on curves, by point slot; infinite at all others.
+///
+/// Two disks touch a curve at a point, one from each side, and reach as far as the next point of a curve. The radius of
+/// the smaller one is the local feature size: the radius of curvature where a curve bends, half the gap where another
+/// stretch of a curve is near. Curves that meet do not count for each other (Ruppert), nor do the two stretches of a
+/// curve at a corner; the ends of a curve have no size of their own. Curves are sampled at vertices and at the middles
+/// of spans.
+///
 /// Reference   Amenta, Bern, Eppstein, The crust and the beta-skeleton (the measure); Ma, Bae, Choi, 3D medial axis
 ///             point approximation using nearest neighbors and the normal field (how it is found)
-/// Complexity  O(points on curves * log)
+/// Complexity  O(n log n) with n samples
 std::vector<double> local_feature_sizes(const Mesh& mesh, const std::vector<CurveChain>& chains);
 
 }  // namespace pliant

@@ -1,5 +1,4 @@
-// lib/pliant/improve/coarsening/logical_patch.cpp: the ears of a star, and Delaunay flips, on copied straight
-// triangles.
+// lib/pliant/improve/coarsening/logical_patch.cpp: cuts the ears of a star, then flips, on copied straight triangles.
 #include "pliant/improve/coarsening/logical_patch.h"
 
 #include <algorithm>
@@ -15,8 +14,8 @@
 namespace pliant {
 namespace {
 
-constexpr int most_flips = 60;  // after one removal
-constexpr int most_degree = 40;
+constexpr int most_flips = 60;   // flips after one removal
+constexpr int most_degree = 40;  // triangles around a vertex that is removed
 
 int outside_piece(HalfEdgeId h) { return -2 - as_int(h); }
 HalfEdgeId half_edge_of(int beyond) { return HalfEdgeId{-2 - beyond}; }
@@ -52,7 +51,7 @@ int LogicalPatch::side_towards(int p, PointId origin) const {
   return corners[0] == origin ? 0 : corners[1] == origin ? 1 : 2;
 }
 
-/// Joins a side to what is beyond, and that to it.
+/// Joins a side of a piece to what is beyond it, and that to the piece.
 void LogicalPatch::set_beyond(int p, int side, int beyond, bool is_constrained) {
   piece(p).beyond[index(side)] = beyond;
   piece(p).is_constrained[index(side)] = is_constrained;
@@ -60,7 +59,7 @@ void LogicalPatch::set_beyond(int p, int side, int beyond, bool is_constrained) 
     piece(beyond).beyond[index(side_towards(beyond, piece(p).corners[index((side + 1) % 3)]))] = p;
 }
 
-/// A piece with this corner.
+/// Some piece with this corner; brings one in if there is none.
 int LogicalPatch::piece_at(PointId v) {
   for (int p = 0; p < static_cast<int>(pieces_.size()); ++p)
     if (piece(p).is_alive && std::find(piece(p).corners.begin(), piece(p).corners.end(), v) != piece(p).corners.end())
@@ -73,7 +72,7 @@ int LogicalPatch::neighbor(int p, int side) {
   return beyond >= 0 ? beyond : bring_in(triangle_of(half_edge_of(beyond)));
 }
 
-/// Makes v corner 0.
+/// Turns a piece so that v is its corner 0.
 void LogicalPatch::turn(int p, PointId v) {
   Piece& here = piece(p);
   const int c = side_towards(p, v);
@@ -95,7 +94,7 @@ LogicalPatch::Outcome LogicalPatch::gather_ring(PointId v) {
   }
 }
 
-/// The pieces around v on p's side of the curve; false if there are too many.
+/// Collects the pieces around v on p's side of the curve; false if there are too many.
 bool LogicalPatch::gather_fan(int p, PointId v) {
   const auto ends = [this](int q, int side) {
     return piece(q).beyond[index(side)] == wall || piece(q).is_constrained[index(side)];
@@ -116,7 +115,7 @@ bool LogicalPatch::gather_fan(int p, PointId v) {
   return true;
 }
 
-/// The deepest ear that a flip can cut off, as `reduce_fan` does; false if there is none.
+/// Cuts off the deepest ear that a flip can cut, as `reduce_fan` does; false if there is none.
 bool LogicalPatch::cut_ear(bool is_closed) {
   const int count = static_cast<int>(ring_.size());
   const Point& v = place(piece(ring_[0]).corners[0]);
@@ -140,8 +139,8 @@ bool LogicalPatch::cut_ear(bool is_closed) {
   return false;
 }
 
-/// Flips the side that p shares with another piece: of p remains what has the side's origin, of the other its target.
-/// Corner 0 stays corner 0 if the flipped side ends there.
+/// Flips the side that p shares with another piece q. Afterwards p lies around the old side's target, q around its
+/// origin, which become their corner 0.
 void LogicalPatch::flip(int p, int side) {
   const int q = piece(p).beyond[index(side)];
   const Piece old_p = piece(p), old_q = piece(q);
@@ -164,7 +163,7 @@ void LogicalPatch::flip(int p, int side) {
     for (const int e : {0, 2}) set_beyond(to, e, piece(to).beyond[index(e)], piece(to).is_constrained[index(e)]);
 }
 
-/// The three pieces that are left around a vertex become one.
+/// Merges the three pieces that are left around a vertex into one.
 void LogicalPatch::merge_ring() {
   const Piece one = piece(ring_[1]), two = piece(ring_[2]);
   const int merged = ring_[0];
@@ -178,7 +177,7 @@ void LogicalPatch::merge_ring() {
   for (int e = 0; e < 3; ++e) set_beyond(merged, e, now.beyond[index(e)], now.is_constrained[index(e)]);
 }
 
-/// The two pieces that are left on one side of a curve become one, whose side 2 lies on the curve.
+/// Merges the two pieces that are left on one side of a curve into one, whose side 2 lies on the curve.
 int LogicalPatch::merge_fan() {
   const Piece other = piece(ring_[1]);
   const int merged = ring_[0];

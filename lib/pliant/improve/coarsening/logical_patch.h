@@ -1,5 +1,5 @@
-// lib/pliant/improve/coarsening/logical_patch.h: some straight triangles of a mesh, copied, so that removals can be
-// tried on them.
+// lib/pliant/improve/coarsening/logical_patch.h: copies of some logical triangles of a mesh, on which removals are
+// tried.
 #pragma once
 #include <array>
 #include <utility>
@@ -10,45 +10,46 @@
 
 namespace pliant {
 
-/// A part of the logical mesh that grows as it is needed. Removals and flips here say what they would do there as long
-/// as no curved element gets in the way; the mesh stays as it is.
+/// A copy of a part of the logical mesh, which grows as needed. Removals and flips on it show what they would do to the
+/// mesh, as long as no curved element gets in the way. The mesh stays as it is.
 ///
-/// Requires     the mesh does not change between `start` and the last use
-/// Complexity   a removal: the squared degree of the vertex, plus the flips that follow; no allocation once warm
+/// Requires    the mesh does not change between `start` and the last use
+/// Complexity  a removal costs the squared degree of the vertex, plus the flips that follow; memory is reused
 class LogicalPatch {
  public:
   using Corners = std::array<PointId, 3>;
   enum class Outcome {
     done,
-    on_curve,  ///< and nothing else
-    stuck,     ///< no ear can be cut, or fewer than three neighbours
-    unknown    ///< too many neighbours or flips: nothing is said
+    on_curve,  ///< the vertex is on a curve, and nothing was done
+    stuck,     ///< no ear can be cut, or the vertex has fewer than three neighbours
+    unknown    ///< too many neighbours or flips: no answer
   };
   struct Piece {
     Corners corners{};
-    /// What is beyond each side, from corner e to the next: another piece, `wall`, or -2 - h, the mesh's half-edge h.
+    /// What lies beyond side e, which runs from corner e to the next one: the number of another piece, `wall` (the
+    /// outer boundary), or -2 - h, where h is a half-edge of the mesh whose triangle was not copied yet.
     std::array<int, 3> beyond{};
     std::array<bool, 3> is_constrained{};
     FaceId face = none;
-    TriangleId triangle = none;  ///< the one that was copied
+    TriangleId triangle = none;  ///< the triangle of the mesh that was copied
     bool is_alive = false;
-    bool is_new = false;  ///< not a triangle of the mesh
+    bool is_new = false;  ///< a removal or flip has made it: it is no triangle of the mesh
   };
   static constexpr int wall = -1;
 
   explicit LogicalPatch(const Mesh& mesh) : mesh_(mesh) {}
 
-  /// Forgets everything. `measures`: bend() is wanted.
+  /// Forgets everything. `measures` says whether bend() is wanted.
   void start(bool measures = false) {
     pieces_.clear();
     moved_.clear();
     bend_ = 0;
     measures_ = measures;
   }
-  /// Removes a vertex that is on no curve as `remove_inner_vertex` would, and flips what is not Delaunay then.
+  /// Removes a vertex that is on no curve as `remove_inner_vertex` would, then flips the sides that are not Delaunay.
   Outcome remove_inner(PointId v);
-  /// Removes a vertex that one curve passes through as `remove_curve_vertex` would; `moved` are the curve's vertices
-  /// that move, and where to.
+  /// The same for a vertex that one curve passes through, as `remove_curve_vertex` would. `moved` lists the vertices of
+  /// the curve that move, and where to.
   Outcome remove_on_curve(PointId v, const std::vector<std::pair<PointId, Point>>& moved);
   /// Where a vertex is, or has moved to.
   const Point& place(PointId v) const {
@@ -56,11 +57,12 @@ class LogicalPatch {
       if (moved == v) return to;
     return mesh_.point(v);
   }
-  /// A corner of it has moved.
+  /// Has a corner of this piece moved?
   bool has_moved(const Piece& piece) const;
-  /// All pieces; some are dead.
+  /// All pieces, those included that are no longer alive.
   const std::vector<Piece>& pieces() const { return pieces_; }
-  /// How far the edges of the copied triangles' elements are off their chords at most, by their control points.
+  /// The greatest bend of the edges of all copied elements: how far a control point is from where it would be if its
+  /// edge were straight.
   double bend() const { return bend_; }
 
  private:
@@ -87,7 +89,7 @@ class LogicalPatch {
   double bend_ = 0;
   bool measures_ = false;
   std::vector<int> ring_;  // the pieces around a vertex, which is their corner 0, counter-clockwise
-  std::vector<int> hole_;  // the pieces of a star, now in the hole
+  std::vector<int> hole_;  // the pieces that were around the removed vertex
   std::vector<PointId> link_;
   std::vector<int> stack_;
   std::vector<std::pair<double, int>> ears_;

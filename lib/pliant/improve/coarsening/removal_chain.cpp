@@ -1,4 +1,4 @@
-// lib/pliant/improve/coarsening/removal_chain.cpp: removals that mend each other's elements, as one transaction.
+// lib/pliant/improve/coarsening/removal_chain.cpp: one removal after the other, as long as refine would attack.
 #include "pliant/improve/coarsening/removal_chain.h"
 
 #include <algorithm>
@@ -11,8 +11,8 @@
 namespace pliant {
 namespace {
 
-constexpr double least_shape = 0.25;  // asked of curved elements whatever the least angle is
-constexpr double least_part = 0.5;    // of the shape that was there
+constexpr double least_shape = 0.25;  // the least shape that is asked of curved elements, whatever the least angle is
+constexpr double least_part = 0.5;    // a removal leaves at least this share of the least shape that was there
 
 void sort_unique(std::vector<TriangleId>& list) {
   std::sort(list.begin(), list.end());
@@ -78,7 +78,7 @@ CurveRemoval RemovalChain::remove_one(PointId v, bool is_on_curve) {
   find_star(mesh_, v, star_);
   link_.clear();
   for (const HalfEdgeId h : star_.outgoing) link_.push_back(mesh_.target(h));
-  if (!star_.is_closed) link_.push_back(mesh_.apex(star_.outgoing.back()));  // a pinched vertex is not removed
+  if (!star_.is_closed) link_.push_back(mesh_.apex(star_.outgoing.back()));  // pinched vertices are never removed
   changed_.clear();
   if (is_on_curve) {
     add_curve_neighbors(v);
@@ -88,7 +88,7 @@ CurveRemoval RemovalChain::remove_one(PointId v, bool is_on_curve) {
   }
   note_corners(changed_);
   for (const TriangleId t : changed_) {
-    if (!std::binary_search(around_.begin(), around_.end(), t))  // not what the chain itself has made
+    if (!std::binary_search(around_.begin(), around_.end(), t))  // the chain itself has made those
       worst_before_ = std::min(worst_before_, shape_of(t));
     if (chained_.empty() && attack_reason(mesh_, t, limits_.goals)) attacked_.push_back(corners_of(t));
   }
@@ -99,7 +99,7 @@ CurveRemoval RemovalChain::remove_one(PointId v, bool is_on_curve) {
     removal.outcome = remove_inner_vertex(mesh_, v, limits_.refit);
   if (removal.outcome != Outcome::done) return removal;
   is_on_curve ? look_around() : look_inside();
-  for (const TriangleId t : changed_)  // flips that the hole's edges now want
+  for (const TriangleId t : changed_)  // flips that edges in the hole now want
     for (int e = 0; e < 3; ++e)
       if (wants_flip(edge_state(mesh_, half_edge(t, e)))) stack_.push_back(half_edge(t, e));
   around_.insert(around_.end(), changed_.begin(), changed_.end());
@@ -115,7 +115,7 @@ void RemovalChain::note_corners(std::span<const TriangleId> triangles) {
   }
 }
 
-/// The triangles at the link of what is removed.
+/// Collects the triangles around the link of what is removed.
 void RemovalChain::look_around() {
   changed_.clear();
   for (const PointId w : link_) {
@@ -125,7 +125,7 @@ void RemovalChain::look_around() {
   sort_unique(changed_);
 }
 
-/// Those of them that lie in the hole, all corners on the link.
+/// Collects the triangles that fill the hole: those with all corners on the link.
 void RemovalChain::look_inside() {
   look_around();
   const auto is_outside = [this](PointId v) { return std::find(link_.begin(), link_.end(), v) == link_.end(); };
@@ -134,8 +134,8 @@ void RemovalChain::look_inside() {
   });
 }
 
-/// Knot removal moves vertices along its curve, too: up to `degree` spans away. It changes what other knots' removal
-/// costs twice as far.
+/// Adds the neighbours of v along its curve. The removal of a knot also moves vertices that are up to `degree` spans
+/// away, and changes the error that the removal of other knots would make up to twice as far.
 void RemovalChain::add_curve_neighbors(PointId v) {
   chain_.assign(1, v);
   std::size_t first = 0, moved = 0;
@@ -156,9 +156,9 @@ void RemovalChain::add_curve_neighbors(PointId v) {
   along_curves_.insert(along_curves_.end(), chain_.begin() + 1, chain_.end());
 }
 
-/// What to remove next so that refine attacks none of the elements around, but those that it would have before; no
-/// vertex if all is well, or if an element has no corner that may go. `reason` is why one would be attacked, null if
-/// none is.
+/// Which vertex to remove next so that refine attacks none of the elements around that it would not have attacked
+/// before. No vertex if all is well, or if such an element has no slated corner. `reason` is why an element would be
+/// attacked; it is left as it is if none would.
 Culprit RemovalChain::most_urgent(const char*& reason) const {
   Culprit first;
   for (const TriangleId t : around_) {

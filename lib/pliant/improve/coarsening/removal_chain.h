@@ -1,4 +1,4 @@
-// lib/pliant/improve/coarsening/removal_chain.h: removes one vertex, and others that refine's goals then ask to go; or
+// lib/pliant/improve/coarsening/removal_chain.h: removes a vertex, together with others where refine would attack, or
 // nothing.
 #pragma once
 #include <vector>
@@ -10,12 +10,12 @@
 
 namespace pliant {
 
-/// The least shape that removals may leave where there was a better one: 0.25 where fewer elements are asked for by a
-/// bound on size, else, if that is more, the least shape of a straight triangle that `refine` leaves alone: the one
-/// with two of the least angles.
+/// The least shape that a removal may leave where the shapes were better before. It is 0.25 where there is a bound on
+/// size. Elsewhere it is, if that is more, the least shape of a straight triangle that `refine` leaves alone, which is
+/// the triangle with two least angles.
 double accepted_shape(const QualityGoals& goals);
 
-/// One transaction after another on the same mesh.
+/// Removes vertices from one mesh, each removal with all that follows from it in a transaction of its own.
 class RemovalChain {
  public:
   struct Limits {
@@ -25,21 +25,21 @@ class RemovalChain {
     double accepted_shape = 0;
     bool uses_forecast = true;
   };
-  /// `slated`: by point slot, what may go. References are kept.
+  /// `slated`: by point slot, true for vertices that may be removed. All references are kept.
   RemovalChain(Mesh& mesh, const Limits& limits, const std::vector<bool>& slated);
 
-  /// Removes v, and then others that are slated as long as elements are left that refine would attack, and had not
-  /// before. Refused, with the mesh as it was, where that does not end well, or where it would lower the least shape of
-  /// the elements that it touches: below what is accepted, or below half of what it was.
+  /// Removes v, and then other slated vertices as long as there are elements that refine would attack and would not
+  /// have before. Refused, with the mesh as it was, where such elements remain, or where the least shape of the
+  /// elements that change would fall below what is accepted, or below half of what it was.
   RemovalRefusal remove(PointId v, bool is_on_curve);
 
-  /// What decided the last refusal: as long as none of these vertices' stars changes, nor what of them is slated, it
-  /// would be refused again.
+  /// The vertices that decided the last refusal. As long as neither their stars change nor which of them are slated,
+  /// the removal would be refused again.
   const std::vector<PointId>& decided_by() const { return decided_by_; }
   // After a removal that was not refused:
   const std::vector<PointId>& removed() const { return chained_; }
-  const std::vector<TriangleId>& around() const { return around_; }  ///< what has changed; some are dead
-  /// Vertices on curves whose own removal would now be another one.
+  const std::vector<TriangleId>& around() const { return around_; }  ///< the triangles that changed; some are not alive
+  /// Vertices on curves whose own removal would now have another outcome.
   const std::vector<PointId>& along_curves() const { return along_curves_; }
   double error() const { return error_; }
   double integral_change() const { return integral_change_; }
@@ -64,7 +64,7 @@ class RemovalChain {
   RemovalForecast forecast_;
   std::vector<PointId> chained_, link_, chain_, along_curves_, decided_by_;
   std::vector<TriangleId> around_, changed_;
-  std::vector<Corners> attacked_;  // before
+  std::vector<Corners> attacked_;  // the elements that refine would have attacked before
   double worst_before_ = 1, error_ = 0, integral_change_ = 0;
   std::vector<HalfEdgeId> stack_;
   Star star_;

@@ -1,5 +1,5 @@
-// lib/pliant/improve/coarsening/removal_forecast.cpp: a chain of removals on straight triangles, and what refine would
-// say to it.
+// lib/pliant/improve/coarsening/removal_forecast.cpp: chains of removals on straight triangles, judged by refine's
+// bounds.
 #include "pliant/improve/coarsening/removal_forecast.h"
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 namespace pliant {
 namespace {
 
-constexpr double slack = 1e-9;  // relative: rounding must not make the forecast stricter than what it foretells
+constexpr double slack = 1e-9;  // relative; by so much the forecast is milder than refine, because of rounding
 
 }  // namespace
 
@@ -53,20 +53,21 @@ RemovalForecast::RemovalForecast(Mesh& mesh, const QualityGoals& goals, const Cu
                  std::any_of(goals.face_area.begin(), goals.face_area.end(), [](double a) { return a < HUGE_VAL; });
 }
 
-/// The least angle is opposite to the shortest side: its sine is twice the area over the product of the two others.
+/// Is the least angle surely too small? It lies opposite the shortest side, and its sine is twice the area over the
+/// product of the two other sides.
 bool RemovalForecast::is_surely_poor(const Point& a, const Point& b, const Point& c) const {
   const double twice_area = cross(b - a, c - a);
   if (!(twice_area > 0)) return true;
   const double ab = squared_length(b - a), bc = squared_length(c - b), ca = squared_length(a - c);
   const double least = std::min({ab, bc, ca});
   const double product = least == ab ? bc * ca : least == bc ? ab * ca : ab * bc;
-  if (!(product > 1e-280 && product < 1e280))  // sides near the limits of doubles: the slow way
+  if (!(product > 1e-280 && product < 1e280))  // near the limits of doubles: the slower test
     return radius_edge_ratio(a, b, c) > (1 + slack) / (2 * least_sine_);
   return twice_area * twice_area < least_sine_ * least_sine_ * product;
 }
 
-/// The area of an element differs from that of its logical triangle by less than its sides times what they are off
-/// their chords, which no flip makes larger; a curve that loses a knot may.
+/// Is an element on this triangle surely too large? Its area differs from that of the triangle by less than the lengths
+/// of its sides times how far they are off their chords. No flip makes that larger, but the removal of a knot may.
 bool RemovalForecast::is_surely_large(FaceId face, const LogicalPatch::Corners& corners, const Point& a, const Point& b,
                                       const Point& c) const {
   if (bounds_area_ && foreseen_.curves.empty()) {
@@ -85,8 +86,8 @@ bool RemovalForecast::is_surely_large(FaceId face, const LogicalPatch::Corners& 
   return longest > (1 + slack) * size_slack * wanted;
 }
 
-/// Removes w from the patch. `refusal` is what its curve says, if it is on one: that does not depend on what the mesh
-/// around has become in the chain.
+/// Removes w from the patch. `reason` is what its curve says to that, if it is on one: that does not depend on what the
+/// mesh around it has become in the chain.
 LogicalPatch::Outcome RemovalForecast::remove(PointId w, Outcome& reason) {
   reason = Outcome::not_removable;
   const LogicalPatch::Outcome outcome = patch_.remove_inner(w);
@@ -97,7 +98,7 @@ LogicalPatch::Outcome RemovalForecast::remove(PointId w, Outcome& reason) {
   return patch_.remove_on_curve(w, foreseen_.moved);
 }
 
-/// Why refine would attack a piece that is new or has moved, and had not before.
+/// Why refine would attack a piece that is new or has moved; null if it would not, or would have before.
 const char* RemovalForecast::reason_of(const LogicalPatch::Piece& piece) const {
   const bool has_moved = patch_.has_moved(piece);
   if (!piece.is_alive || !(piece.is_new || has_moved)) return nullptr;
@@ -113,7 +114,7 @@ const char* RemovalForecast::reason_of(const LogicalPatch::Piece& piece) const {
 RemovalRefusal RemovalForecast::of(PointId v) {
   patch_.start(bounds_area_);
   foreseen_.clear();
-  Transaction trial(mesh_);  // of the curves; rolled back at the end
+  Transaction trial(mesh_);  // the curves change; rolled back at the end
   RemovalRefusal last;
   int removed = 0;
   for (PointId w = v;;) {

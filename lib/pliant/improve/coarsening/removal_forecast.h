@@ -1,4 +1,4 @@
-// lib/pliant/improve/coarsening/removal_forecast.h: is the removal of a vertex bound to fail? Decided before the mesh
+// lib/pliant/improve/coarsening/removal_forecast.h: foretells that the removal of a vertex must fail, before the mesh
 // is touched.
 #pragma once
 #include <cmath>
@@ -11,52 +11,54 @@
 
 namespace pliant {
 
-inline constexpr int most_chained = 12;  ///< removals that may mend each other's elements
+inline constexpr int most_chained = 12;  ///< the most removals in a chain, which mend each other's elements
 
 /// Why a removal is refused: the words of the operation, or why `refine` would attack what is left.
 struct RemovalRefusal {
   const char* reason = nullptr;  ///< null: not refused
-  bool is_refinement = false;    ///< `reason` is that of an attack
+  bool is_refinement = false;    ///< `reason` is why refine would attack
 };
 
-/// Why `refine` would attack this triangle and not leave it; null if it would not. The one place in which coarsening
-/// asks that.
+/// Why `refine` would attack this triangle; null if it would not. Coarsening asks that here and nowhere else.
 const char* attack_reason(const Mesh& mesh, TriangleId t, const QualityGoals& goals);
 
-/// The corner, at these places, that should go so that a triangle which refine would attack does: one that is slated,
-/// the origin of the shortest side first, then its target, then the corner opposite; or none.
+/// The corner that should be removed to get rid of a triangle which refine would attack. It is the first slated one of
+/// these: the origin of the shortest side, its target, the corner opposite.
 struct Culprit {
-  PointId vertex = none;
+  PointId vertex = none;                              ///< none: no corner is slated
   double side = HUGE_VAL;                             ///< squared length of the shortest side
-  std::array<PointId, 3> triangle{none, none, none};  ///< in the order of their numbers
+  std::array<PointId, 3> triangle{none, none, none};  ///< its corners in ascending order
 
-  /// Which triangle is mended first, whatever order they are found in: the one with the shortest side.
+  /// The triangle with the shortest side is mended first, in whatever order the triangles are found.
   friend auto operator<=>(const Culprit& a, const Culprit& b) {
     return std::tie(a.side, a.triangle) <=> std::tie(b.side, b.triangle);
   }
 };
+/// Finds the culprit of the triangle with these corners, as if they were at these places.
 Culprit find_culprit(const Mesh& mesh, const std::array<PointId, 3>& corners, const std::array<Point, 3>& places,
                      const std::vector<bool>& slated);
 
-/// Tries removals on the straight triangles alone.
+/// Tries removals on the logical triangles alone.
 ///
-/// A removal that keeps to the logical mesh ends in the constrained Delaunay triangulation of the region that it
-/// changes, whose least angle no other triangulation of the region exceeds. So where that has a triangle which refine
-/// would attack, and no slated corner to mend it, the removal on curved elements would be rolled back, too: their flips
-/// can only be fewer. Sizes allow for what bent sides can hold. Whatever is not certain is not refused: curves that
-/// move vertices, elements that could become invalid or misshapen.
+/// A removal in the logical mesh ends in the constrained Delaunay triangulation of the region that it changes. No other
+/// triangulation of the region has a greater least angle. So if that one has a triangle which refine would attack, and
+/// no slated corner to mend it, the removal on curved elements would be rolled back, too, since fewer flips are
+/// possible there. Bounds on area allow for what bent sides can hold.
+///
+/// Only what is certain is refused. Elements that might become invalid or misshapen are not looked for, nor are areas
+/// compared once a curve has lost a knot.
 class RemovalForecast {
  public:
   /// `slated`: by point slot, what may go.
   RemovalForecast(Mesh& mesh, const QualityGoals& goals, const CurveTolerance& tolerance,
                   const std::vector<bool>& slated);
 
-  /// Why removing v, and then others that are slated as long as refine would attack what is left, is bound to fail; or
-  /// no reason.
+  /// Why the removal of v is bound to fail, followed by removals of other slated vertices as long as refine would
+  /// attack what is left; no reason if it may succeed.
   ///
-  /// Complexity   the sum of the squared degrees of the vertices in the chain
+  /// Complexity  the sum of the squared degrees of the vertices in the chain
   RemovalRefusal of(PointId v);
-  /// What decided the last answer: the corners of these pieces, and which of them were slated.
+  /// The triangles that decided the last answer: by their corners, and by which of these were slated.
   const LogicalPatch& patch() const { return patch_; }
 
  private:
@@ -66,7 +68,7 @@ class RemovalForecast {
                        const Point& c) const;
   LogicalPatch::Outcome remove(PointId w, Outcome& reason);
 
-  Mesh& mesh_;  // as it was after each question
+  Mesh& mesh_;  // left as it was by each question
   const QualityGoals& goals_;
   const CurveTolerance& tolerance_;
   const std::vector<bool>& slated_;

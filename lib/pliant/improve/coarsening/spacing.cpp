@@ -1,4 +1,5 @@
-// lib/pliant/improve/coarsening/spacing.cpp: the sizing function of coarsening at the vertices (paper §5.3.3).
+// lib/pliant/improve/coarsening/spacing.cpp: roles by Douglas and Peucker's method; wanted lengths spread by
+// Dijkstra's.
 #include "pliant/improve/coarsening/spacing.h"
 
 #include <algorithm>
@@ -11,7 +12,7 @@
 namespace pliant {
 namespace {
 
-/// Which vertices of a chain have knots that the control polygon needs.
+/// Which vertices of a chain stand at knots that the control polygon needs.
 std::vector<bool> needed_knots(const BSpline& spline, const CurveChain& chain, double tolerance) {
   std::vector<bool> needed(chain.vertices.size(), false);
   const std::vector<bool> keep = douglas_peucker(spline.points().to_vector(), spline.closed(), tolerance);
@@ -74,14 +75,14 @@ std::vector<double> wanted_spacing(const Mesh& mesh, const VertexGraph& graph, c
         lower(mesh.corner(t, c), std::min(goals.length_for_area(mesh.face(t)), goals.length_by_field(mesh, t, c)));
   for (PointId v = 0; v < mesh.point_slots(); ++v)
     if (mesh.is_vertex(v)) lower(v, goals.length_at(mesh.point(v), mesh.time));
-  for (const CurveChain& chain : chains)  // geometry's own spacing
+  for (const CurveChain& chain : chains)  // the spacing of the vertices that the geometry needs
     visit_stretches(chain, roles, [&](PointId v, PointId w) {
       const double apart = distance(mesh.point(v), mesh.point(w));
       lower(v, apart);
       lower(w, apart);
     });
 
-  // Dijkstra from all vertices at once.
+  // Dijkstra's algorithm from all vertices at once makes the wanted lengths Lipschitz.
   using Item = std::pair<double, PointId>;
   std::priority_queue<Item, std::vector<Item>, std::greater<>> queue;
   const auto spread = [&](double wanted, PointId v) {

@@ -8,22 +8,26 @@
 
 namespace pliant {
 
-/// What a vertex is to coarsening.
+/// Whether coarsening may remove a vertex, and how.
 enum class VertexRole : char {
   inner,  ///< on no curve
-  curve,  ///< passed by one curve
-  kept    ///< a curve's end, where several meet, or needed by geometry
+  curve,  ///< in the interior of one curve
+  kept    ///< not removed: a curve ends there, several curves pass, or a curve's shape needs it
 };
 
-/// By point slot. A vertex is `kept` where it ends a curve or several pass, and where the curve's control polygon needs
-/// its knot to stay within `polygon_tolerance` (Douglas and Peucker; 0: not asked): where a control point next to the
-/// knot is kept.   Complexity O(mesh + control points * log)
+/// The role of each vertex, by point slot. A vertex is `kept` where a curve ends or several curves pass, where it
+/// belongs to no curve but to the boundary complex, and where Douglas and Peucker's method with `polygon_tolerance` (0:
+/// not used) keeps a control point whose support contains its knot.
+///
+/// Complexity  O(triangles + n log n) with n control points
 std::vector<VertexRole> vertex_roles(const Mesh& mesh, const std::vector<CurveChain>& chains, double polygon_tolerance);
 
-/// The wanted length of edges at each vertex, by point slot: what the goals' bounds on size and area ask for, at most
-/// `bounds` (by point slot; empty: none), at `kept` vertices at most the distance of the next ones along their curves.
-/// Then made Lipschitz: it grows by at most `gradation` times the distance, along edges. Where nothing bounds it, the
-/// mesh's size.   Complexity O(mesh * log)
+/// The wanted length of edges at each vertex, by point slot: the least of what the goals ask for by size and area, of
+/// `bounds` (by point slot; empty: none), and at `kept` vertices of the distance of the next kept ones along their
+/// curves. Then it is made Lipschitz: along an edge it grows by at most `gradation` times the edge's length. It is at
+/// most the size of the mesh.
+///
+/// Complexity  O(n log n) with n vertices
 std::vector<double> wanted_spacing(const Mesh& mesh, const VertexGraph& graph, const std::vector<CurveChain>& chains,
                                    const std::vector<VertexRole>& roles, const QualityGoals& goals,
                                    const std::vector<double>& bounds, double gradation);

@@ -9,7 +9,7 @@
 
 namespace pliant {
 
-/// As the mesh was when it was made.
+/// Which vertices edges join, as the mesh was when the graph was made.
 class VertexGraph {
  public:
   explicit VertexGraph(const Mesh& mesh) : starts_(static_cast<std::size_t>(mesh.point_slots()) + 1, 0) {
@@ -38,7 +38,8 @@ class VertexGraph {
   std::vector<PointId> neighbors_;
 };
 
-/// The distance, by a square root where that neither overflows nor underflows: a fraction of the time of std::hypot.
+/// The distance of two points. It takes a fraction of the time of std::hypot: a square root where nothing overflows or
+/// underflows.
 inline double quick_distance(const Point& a, const Point& b) {
   const double squared = squared_length(b - a);
   return squared > 1e-280 && squared < 1e280 ? std::sqrt(squared) : distance(a, b);

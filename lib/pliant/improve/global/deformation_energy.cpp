@@ -1,4 +1,4 @@
-// lib/pliant/improve/global/deformation_energy.cpp: how far an element's map is from that of a wanted triangle.
+// lib/pliant/improve/global/deformation_energy.cpp: nodes and weights, the squares of the energy, their derivatives.
 #include "pliant/improve/global/deformation_energy.h"
 
 #include <algorithm>
@@ -14,10 +14,11 @@ namespace {
 
 struct Node {
   Barycentric xi;
-  double weight;  // they sum to 1
+  double weight;  // all weights add up to 1
 };
 
-/// Corners with 1/12 and centre with 3/4 on each triangle of the lattice.
+/// The nodes of a lattice: on each of its triangles the corners have the weight 1/12 and the centre 3/4, in parts of
+/// the triangle's area. The element's own corners come first.
 std::vector<Node> nodes_of(int subdivisions) {
   const int n = subdivisions;
   const double part = 1.0 / (n * n);
@@ -47,10 +48,10 @@ std::vector<Node> nodes_of(int subdivisions) {
   return nodes;
 }
 
-/// F at a node.
+/// The gradient F of the map at a node.
 struct Gradient {
   double xx, xy, yx, yy, det;
-  /// Derivative of det F by a point whose basis function has this gradient in the wanted triangle.
+  /// The derivative of det F by a control point whose basis function has this gradient in the wanted triangle.
   Vector det_by(const Vector& g) const { return {yy * g.x - yx * g.y, xx * g.y - xy * g.x}; }
 };
 
@@ -124,7 +125,7 @@ bool DeformationEnergy::evaluate(std::span<const Point> net, const Target& targe
     r[1] = w * (f.xy + f.yx) * s;
     r[2] = root_of_evenness * w * (1 / v - v);
     if (!rows) continue;
-    const double change = shifted / root;  // of `shifted` by det
+    const double change = shifted / root;  // the derivative of `shifted` by det
     const double fall = -0.5 * s * s * change, rise = 0.5 * root_of_evenness * w * v * (1 + v * v) / mean, ws = w * s;
     const Vector* const slope = slopes_.data() + q * n;
     for (std::size_t m = 0; m < count; ++m) {

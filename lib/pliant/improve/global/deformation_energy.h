@@ -24,44 +24,50 @@ struct WantedShape {
 ///     |F|² / (2 det F) - 1  +  2 (u + 1 / u - 2)  =  (a² + b² + c²) / 2,     u = det F / m
 ///     a = (F11 - F22) / √det F,   b = (F12 + F21) / √det F,   c = 2 (√u - 1 / √u)
 ///
-/// with F the gradient of the map from the wanted triangle to the element, and m the mean of det F over the element, or
-/// 1 if its area is wanted, too. The first term measures shape: it is 1/τ - 1, τ against the wanted triangle. The
-/// second measures how uneven det J is (its weight of four is a compromise: more makes the least scaled Jacobian
-/// greater, and shapes poorer). Both are 0 where F is a rotation, and grow without bound as det F goes to 0: a barrier.
-/// Each of the squares vanishes with the energy, so that near there Gauss and Newton's method is as good as Newton's.
-/// With `smoothing` e > 0, det F is replaced by (det F + sqrt(e² + det F²)) / 2 in u and below the fractions: finite
-/// everywhere, and the further an element is tangled the more it costs.
-/// The nodes are the points of a lattice over the element, corners included, and the centres of its triangles, with the
-/// positive weights that make the rule exact for degree 2 on each of these. `few`: p - 1 subdivisions; `many`: 2p, for
-/// elements in which det F may be negative between few nodes.
+/// F is the gradient of the map from the wanted triangle to the element. m is the mean of det F over the element, or 1
+/// if a certain area is wanted, too.
+///
+/// The first term measures shape: it is 1/τ - 1, with τ taken against the wanted triangle. The second term measures how
+/// uneven det J is. (Its weight of four in c² is a compromise: more makes the least scaled Jacobian greater, and shapes
+/// poorer.) Both terms are 0 where F is a rotation, and grow without bound as det F goes to 0, which makes a barrier.
+/// Each of the squares vanishes with the energy, so near its zero the Gauss-Newton method is as good as Newton's.
+///
+/// With `smoothing` e > 0, det F is replaced by (det F + sqrt(e² + det F²)) / 2 in u and in the denominators. Then the
+/// energy is finite everywhere, and the further an element is tangled the more it costs.
+///
+/// The nodes are the points of a lattice over the element, corners included, and the centres of the lattice's
+/// triangles. Their weights are positive and make the rule exact for degree 2 on each triangle. `few` means p - 1
+/// subdivisions (at least 1); `many` means 2p, for elements in which det F may be negative between few nodes.
+///
 /// Reference   the two terms (with m = 1, weights 1) and the smoothing: Garanzha, Kaporin, Kudryavtseva, Protais, Ray,
 ///             Sokolov, Foldover-free maps in 50 lines of code, 2021; the first one, with its barrier: Winslow's
 ///             functional in the form of Ivanenko and Charakhch'yan, 1988
 class DeformationEnergy {
  public:
-  static constexpr int residuals_each = 3;  // at a node
+  static constexpr int residuals_each = 3;  // residuals at each node: a, b, c, weighted
   enum class Nodes { few, many };
-  /// Built once for each degree; thread-safe.
+  /// The energy for elements of this degree. It is built once for each; thread-safe.
   static const DeformationEnergy& of(int degree, Nodes nodes);
 
   int residual_count() const { return residuals_each * static_cast<int>(weights_.size()); }
-  /// What an element is held against.
+  /// What an element is compared with.
   struct Target {
     WantedShape shape;
-    bool any_area = false;  ///< of any size: m is the mean of det F over the element, else 1
-    unsigned forgiven = 0;  ///< bit k: the node in corner k does not count
-    double smoothing = 0;   ///< e above
+    bool any_area = false;  ///< any area will do: m is the mean of det F; else m is 1
+    unsigned forgiven = 0;  ///< with bit k set the node in corner k does not count
+    double smoothing = 0;   ///< the e of the smoothed energy
   };
-  /// Residuals of a net, and if asked (not null) their derivatives by the points `moving` (local indices): residual r
-  /// by coordinate c of the m-th of them at jacobian[(r * moving.size() + m) * 2 + c]. False where the energy is not
-  /// finite: with smoothing 0 where det F <= 0 at a node.
+  /// The residuals of an element's net, and, unless `jacobian` is null, their derivatives by the control points
+  /// `moving` (indices into the net). The derivative of residual r by coordinate c of the m-th of these points goes to
+  /// jacobian[(r * moving.size() + m) * 2 + c]. Returns false where the energy is not finite, which without smoothing
+  /// is where det F <= 0 at a node.
   bool evaluate(std::span<const Point> net, const Target& target, std::span<double> residuals,
                 std::span<const std::int8_t> moving, double* jacobian) const;
 
  private:
   DeformationEnergy(int degree, int subdivisions);
   int degree_;
-  std::vector<Vector> slopes_;   // of the basis functions along (xi2, xi3), by node; the corners are the first nodes
+  std::vector<Vector> slopes_;   // slopes of the basis functions along (xi2, xi3), by node; the corners come first
   std::vector<double> weights_;  // by node
 };
 

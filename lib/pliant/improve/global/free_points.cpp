@@ -1,4 +1,4 @@
-// lib/pliant/improve/global/free_points.cpp: new places for all control points of a mesh, free ones in blocks.
+// lib/pliant/improve/global/free_points.cpp: which points are free, and in which blocks; nets with their new places.
 #include "pliant/improve/global/free_points.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// lib/pliant/improve/global/minimize_deformation.cpp: the least deformation energy of some elements, by Ceres.
+// lib/pliant/improve/global/minimize_deformation.cpp: the elements as cost functions of Ceres, and its options.
 #include "pliant/improve/global/minimize_deformation.h"
 
 #include <ceres/ceres.h>
@@ -16,7 +16,7 @@
 namespace pliant {
 namespace {
 
-/// One element's squares for Ceres; its parameters are the blocks that move.
+/// The squares of one element's energy, as a cost function of the blocks that move.
 class ElementCost final : public ceres::CostFunction {
  public:
   ElementCost(const FreePoints& points, TriangleId t, const DeformationEnergy& energy,
@@ -24,7 +24,7 @@ class ElementCost final : public ceres::CostFunction {
       : points_(points), energy_(energy), triangle_(t), target_(target) {
     set_num_residuals(energy_.residual_count());
   }
-  /// The points of this block, in its order, are parameters.
+  /// Makes the points of this block parameters, in the block's order.
   void add_block(const FreePoints::Block& block) {
     const auto ids = points_.mesh().net(triangle_);
     for (int j = 0; j < block.count; ++j)
@@ -62,7 +62,7 @@ class ElementCost final : public ceres::CostFunction {
   std::vector<std::int8_t> moving_;
 };
 
-/// Many nodes where det J is far from even, for what may lie between few of them.
+/// The energy with many nodes where det J is far from even, since it may be negative between few of them.
 const DeformationEnergy& energy_for(const FreePoints& points, TriangleId t) {
   constexpr double even = 0.2;
   const int degree = points.mesh().degree();
@@ -75,7 +75,7 @@ const DeformationEnergy& energy_for(const FreePoints& points, TriangleId t) {
       degree, *least > even * *greatest ? DeformationEnergy::Nodes::few : DeformationEnergy::Nodes::many);
 }
 
-/// Corners between two edges on curves: nothing that moves changes det F there, and it is 0 in a cusp.
+/// The corners between two edges on curves, as bits: nothing that moves changes det F there, and it is 0 in a cusp.
 unsigned fixed_corners(const Mesh& mesh, TriangleId t) {
   unsigned fixed = 0;
   for (int c = 0; c < 3; ++c)
@@ -87,9 +87,9 @@ unsigned fixed_corners(const Mesh& mesh, TriangleId t) {
 
 MinimizeOutcome minimize_deformation(FreePoints& points, std::span<const TriangleId> elements,
                                      std::span<const WantedShape> wanted, const MinimizeOptions& options) {
-  FLAGS_minloglevel = 3;  // glog speaks on standard error of steps that fail
+  FLAGS_minloglevel = 3;  // else glog would write to standard error about steps that fail
   const Mesh& mesh = points.mesh();
-  std::unordered_map<int, int> uses;  // of a block by these elements
+  std::unordered_map<int, int> uses;  // how many of these elements contain each block
   uses.reserve(2 * elements.size());
   const auto for_blocks = [&](TriangleId t, auto&& use) {
     int last = none;
@@ -127,7 +127,7 @@ MinimizeOutcome minimize_deformation(FreePoints& points, std::span<const Triangl
   solver.preconditioner_type = ceres::JACOBI;
   solver.max_linear_solver_iterations = 100;
   solver.max_num_iterations = options.max_iterations;
-  // Nothing may depend on the unit of length.
+  // These options would else make the outcome depend on the unit of length.
   solver.jacobi_scaling = false;
   solver.min_lm_diagonal = std::numeric_limits<double>::min();
   solver.gradient_tolerance = std::numeric_limits<double>::min();

@@ -1,4 +1,4 @@
-// lib/pliant/improve/global/smooth_globally.cpp: all free control points at once, towards the least deformation energy.
+// lib/pliant/improve/global/smooth_globally.cpp: untangles parts, then minimises, and moves the points with the fields.
 #include "pliant/improve/global/smooth_globally.h"
 
 #include <algorithm>
@@ -17,14 +17,14 @@
 namespace pliant {
 namespace {
 
-constexpr int untangling_rounds = 20;      // of the smoothed problem
-constexpr int rounds_when_valid = 3;       // more of them, while det F is still small somewhere
-constexpr double least_wanted = 0.02;      // of det F after these
-constexpr int untangling_iterations = 12;  // in each round
-constexpr double least_smoothing = 1e-6;   // of det F
-constexpr double smoothing_share = 0.2;    // of the least det F, where that is negative
-constexpr double smoothing_decay = 0.5;    // at least, from round to round
-constexpr int most_rings = 12;             // around what is tangled
+constexpr int untangling_rounds = 20;      // rounds of minimising the smoothed energy, each with less smoothing
+constexpr int rounds_when_valid = 3;       // further rounds once all is valid, while det F is small somewhere
+constexpr double least_wanted = 0.02;      // det F is small below this
+constexpr int untangling_iterations = 12;  // steps in each round
+constexpr double least_smoothing = 1e-6;   // the smoothing e where the least det F is not negative
+constexpr double smoothing_share = 0.2;    // the smoothing e over the least det F, where that is negative
+constexpr double smoothing_decay = 0.5;    // from round to round e falls at least by this factor
+constexpr int most_rings = 12;             // rings of elements around what is tangled
 
 class GlobalSmoother {
  public:
@@ -81,7 +81,7 @@ class GlobalSmoother {
     return *least / *greatest;
   }
 
-  /// These elements and so many rings around them, in order.
+  /// These elements and so many rings around them, ascending.
   std::vector<TriangleId> grow(std::span<const TriangleId> seeds, int rings) {
     std::vector<TriangleId> all(seeds.begin(), seeds.end());
     const int stamp = ++stamp_;
@@ -100,7 +100,7 @@ class GlobalSmoother {
     return all;
   }
 
-  /// Parts of these elements that are connected over edges.
+  /// The parts of these elements that are connected over edges.
   std::vector<std::vector<TriangleId>> parts_of(std::span<const TriangleId> elements) {
     const int stamp = ++stamp_;
     for (const TriangleId t : elements) stamps_[index(t)] = stamp;
@@ -128,7 +128,7 @@ class GlobalSmoother {
     }
   }
 
-  /// The least coefficient of det F: how far inverted the worst element is.
+  /// The least coefficient of det F, which tells how far the worst element is inverted.
   double least_determinant(const FreePoints& points, std::span<const TriangleId> elements,
                            std::span<const WantedShape> wanted) const {
     double least = 1;
@@ -143,7 +143,7 @@ class GlobalSmoother {
     return least;
   }
 
-  /// Lowers the number of elements that are not valid, or leaves all as it was.
+  /// Moves the points of a part so that fewer of its elements are invalid, or leaves them where they were.
   void untangle_part(FreePoints& points, std::span<const TriangleId> part) {
     const auto count_invalid = [&] {
       return std::count_if(part.begin(), part.end(), [&](TriangleId t) { return !points.is_valid(t); });
@@ -191,14 +191,14 @@ class GlobalSmoother {
     return outcome;
   }
 
-  /// Points that move together because fields are refitted for them together, and the elements that contain them.
+  /// Points that move together, since fields are refitted for all of them at once, and the elements that contain them.
   struct Group {
     std::vector<PointId> points;
     std::vector<TriangleId> elements;
   };
 
-  /// Moves the points of the mesh; where there are fields group by group, so that they are refitted where both sides
-  /// are valid.
+  /// Moves the points of the mesh. Where there are fields it does so group by group, so that fields are refitted where
+  /// the elements are valid before and after.
   void apply(FreePoints& points) {
     const auto has_moved = [&](PointId p) { return !(points.place_in_mesh(p) == mesh_.point(p)); };
     for (PointId p = 0; p < mesh_.point_slots(); ++p) moved_ += has_moved(p);
@@ -228,7 +228,7 @@ class GlobalSmoother {
                Outcome::done;
       });
     }
-    for (const Group& group : todo) {  // what only moves together with others
+    for (const Group& group : todo) {  // groups that can move only together with others
       thread_local Patch patch;
       patch.capture(mesh_, group.elements);
       move(group);

@@ -1,4 +1,4 @@
-// lib/pliant/improve/global/wanted_shapes.cpp: the triangles that the elements of a mesh should be like.
+// lib/pliant/improve/global/wanted_shapes.cpp: logical triangles, made thicker where they are flat; equilateral ones.
 #include "pliant/improve/global/wanted_shapes.h"
 
 #include <algorithm>
@@ -10,8 +10,9 @@
 namespace pliant {
 namespace {
 
-constexpr double least_area = 0.1;  // of the mean of an element and its neighbours: of a wanted triangle
-constexpr double thinnest = 0.05;   // ratio of the stretches that make a wanted triangle of an equilateral one
+constexpr double least_area = 0.1;  // least area of a wanted triangle, in mean areas of the element and its neighbours
+constexpr double thinnest =
+    0.05;  // least ratio of the two stretches that turn an equilateral triangle into a wanted one
 const double half_root = std::sqrt(3.0) / 2;
 
 double area_of(const FreePoints& points, TriangleId t) {
@@ -19,7 +20,7 @@ double area_of(const FreePoints& points, TriangleId t) {
   return element_area(points.mesh().degree(), points.gather(t, net));
 }
 
-/// The mean over the element, those beside it, and those beside these: folds cancel in it.
+/// The mean area of an element, those beside it, and those beside these. Areas of folds cancel in it.
 double wanted_area(const FreePoints& points, TriangleId t) {
   const Mesh& mesh = points.mesh();
   double sum = area_of(points, t), positive = std::max(sum, 0.0), count = 1;
@@ -37,6 +38,7 @@ double wanted_area(const FreePoints& points, TriangleId t) {
   return std::max(sum, least_area * positive) / count;
 }
 
+/// The shape of the logical triangle of an element, or of a thicker one where that is inverted or too flat.
 WantedShape straight(const FreePoints& points, TriangleId t) {
   using Complex = std::complex<double>;
   const Mesh& mesh = points.mesh();

@@ -8,9 +8,8 @@
 
 namespace pliant {
 
-/// For each of these elements the straight triangle on its vertices, or, where that is inverted or too flat for any
-/// element to be like it, a thicker one. With `equilateral` an equilateral one of the element's area, or, where that is
-/// small against those beside it, of a share of theirs.
+/// For each of these elements its logical triangle, or a thicker one where that is inverted or too flat for any element
+/// to be like it. With `equilateral`: an equilateral triangle of the mean area of the elements around it.
 std::vector<WantedShape> wanted_shapes(const FreePoints& points, std::span<const TriangleId> elements,
                                        bool equilateral);
 
