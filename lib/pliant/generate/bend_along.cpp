@@ -1,4 +1,4 @@
-// lib/pliant/generate/bend_along.cpp: thin elements beside a curve take up its bend as a whole.
+// lib/pliant/generate/bend_along.cpp: bends whole thin elements as the curve beside them bends.
 #include <algorithm>
 #include <array>
 
@@ -9,9 +9,9 @@
 namespace pliant {
 namespace {
 
-constexpr double most_short = 0.5;  // of the two long edges: the third one of a thin element
+constexpr double most_short = 0.5;  // an element is thin if its third edge is at most this share of the two long ones
 
-/// What an edge's control points are off their straight places, from its origin on.
+/// How far each of an edge's control points is off its straight place, from the edge's origin on.
 using Bend = std::array<Vector, max_degree + 1>;
 
 Bend mean(const Bend& a, const Bend& b) {
@@ -27,8 +27,9 @@ Bend reversed(const Bend& a, int degree) {
 
 }  // namespace
 
-/// The bend of the curved one of an element's two long edges, as seen from the corner between them; where the edge
-/// that is not `long_edge` lies on a curve, and the third edge is short.
+/// Takes a thin element with two long edges: `long_edge`, and the one that meets it at its origin (`at_origin`) or at
+/// its target. Returns the bend of that other edge, from the corner between the two on. Nothing where it lies on no
+/// curve, or where the third edge is not short.
 std::optional<std::array<Vector, max_degree + 1>> LiftedMesh::bend_beside(int t, int long_edge, bool at_origin) const {
   const int other = at_origin ? (long_edge + 2) % 3 : (long_edge + 1) % 3, third = 3 - long_edge - other;
   if (planar_.span(3 * t + other) < 0) return std::nullopt;
@@ -57,10 +58,11 @@ void LiftedMesh::bend_interior(int t, int corner, const std::array<Vector, max_d
   }
 }
 
-/// The tip of a wedge: both long edges lie on curves, only the inside can follow them.
+/// Bends the inside of an element at the tip of a wedge, both of whose long edges lie on curves. Kept where it becomes
+/// valid.
 bool LiftedMesh::bend_tip(int t) {
   for (int c = 0; c < 3; ++c) {
-    // Edge c leaves corner c, the edge before it ends there.
+    // Edge c leaves corner c; the edge before it ends there.
     const auto leaving = bend_beside(t, (c + 2) % 3, false), arriving = bend_beside(t, c, true);
     if (!leaving || !arriving) continue;
     const NetLayout& layout = NetLayout::of(degree_);
@@ -74,9 +76,9 @@ bool LiftedMesh::bend_tip(int t) {
   return false;
 }
 
-/// Bends an inner edge, and the elements beside it, as the curves do that run beside it: between two curves that are
-/// closer to each other than they bend no control point can be placed alone. Kept where the element becomes valid and
-/// the other one stays as valid as it was.
+/// Bends an inner edge of an element, and the elements on both sides of it, as the curves beside them bend. Between two
+/// curves that are closer to each other than they bend, no control point can be placed alone. Kept where the element
+/// becomes valid, and the other one does not become invalid.
 bool LiftedMesh::bend_along_curves(int t) {
   if (bend_tip(t)) return true;
   const NetLayout& layout = NetLayout::of(degree_);
@@ -86,7 +88,8 @@ bool LiftedMesh::bend_along_curves(int t) {
       if (planar_.span(h) >= 0 || g < 0) continue;
       const auto own_bend = bend_beside(t, e, at_origin);
       if (!own_bend) continue;
-      // From the edge's other end, seen from the twin: the same corner of the quadrilateral, or the one across.
+      // The element beyond may have a curve, too: at its twin edge's origin or target. Then the mean of both bends
+      // counts.
       const int u = g / 3, f = g % 3;
       Bend along = at_origin ? *own_bend : reversed(*own_bend, degree_);
       for (const bool at_twins_origin : {true, false})

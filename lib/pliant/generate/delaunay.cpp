@@ -1,4 +1,4 @@
-// lib/pliant/generate/delaunay.cpp: the points.
+// lib/pliant/generate/delaunay.cpp: inserts the points in rounds, each along a Hilbert curve.
 #include "pliant/generate/delaunay.h"
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 namespace pliant {
 namespace {
 
-/// Place of a cell along the Hilbert curve over a 2^16 x 2^16 grid.
+/// The place of a cell along the Hilbert curve over a grid of 2^16 x 2^16 cells.
 std::uint64_t hilbert_index(std::uint32_t x, std::uint32_t y) {
   std::uint64_t index = 0;
   for (std::uint32_t s = 1U << 15; s > 0; s >>= 1) {
@@ -29,14 +29,15 @@ std::uint64_t hilbert_index(std::uint32_t x, std::uint32_t y) {
   return index;
 }
 
-/// A fixed scatter of the bits of n: which round a point belongs to must not depend on its place.
+/// Mixes the bits of n. It decides the round in which a point is inserted, which must not depend on where the point
+/// lies.
 std::uint64_t scatter(std::uint64_t n) {
   n = (n + 0x9e3779b97f4a7c15ULL) * 0xbf58476d1ce4e5b9ULL;
   n = (n ^ (n >> 27)) * 0x94d049bb133111ebULL;
   return n ^ (n >> 31);
 }
 
-/// For p on the line through a and b: strictly between them?
+/// Does p lie strictly between a and b? Requires that it lies on their line.
 bool is_between(const Point& a, const Point& b, const Point& p) {
   if (a.x != b.x) return (a.x < p.x && p.x < b.x) || (b.x < p.x && p.x < a.x);
   return (a.y < p.y && p.y < b.y) || (b.y < p.y && p.y < a.y);
@@ -64,7 +65,7 @@ std::vector<int> Delaunay::insertion_order() const {
   const auto cell = [side](double offset) { return static_cast<std::uint32_t>(65535 * (offset / side)); };
   std::vector<std::pair<std::uint64_t, int>> keys(points_.size());
   for (std::size_t i = 0; i < points_.size(); ++i) {
-    // Half of the points come in the last round, half of the others in the one before, and so on.
+    // Half of the points are inserted in the last round, half of the others in the round before, and so on.
     std::uint64_t round = 31;
     for (std::uint64_t bits = scatter(i); (bits & 1) != 0 && round > 0; bits >>= 1) --round;
     const Vector d = points_[i] - box.low;
@@ -76,7 +77,7 @@ std::vector<int> Delaunay::insertion_order() const {
   return order;
 }
 
-/// Brings three points that are not in line to the front; false if there are none.
+/// Brings three points that are not in line to the front, and makes a triangle of them; false if all lie in line.
 bool Delaunay::make_first_triangle(std::vector<int>& order) {
   if (order.size() < 3) return false;
   const Point &a = point(order[0]), &b = point(order[1]);
@@ -91,7 +92,7 @@ bool Delaunay::make_first_triangle(std::vector<int>& order) {
     ghosts[static_cast<std::size_t>(e)] = add_triangle(target(3 * t + e), origin(3 * t + e), infinite);
     link(3 * t + e, 3 * ghosts[static_cast<std::size_t>(e)]);
   }
-  for (std::size_t e = 0; e < 3; ++e)  // ghost e: (target, origin, infinite); its next round the target is ghost e + 1
+  for (std::size_t e = 0; e < 3; ++e)  // ghost e is (target, origin, infinite); ghost e + 1 follows around its target
     link(3 * ghosts[e] + 2, 3 * ghosts[(e + 1) % 3] + 1);
   return true;
 }
@@ -120,14 +121,14 @@ void Delaunay::link(int h, int g) {
   twin_[static_cast<std::size_t>(g)] = h;
 }
 
-/// The finite edge of a ghost triangle (the hull's, seen from outside); -1 for a finite triangle.
+/// The edge of the hull that a ghost triangle lies beyond, as seen from outside; -1 for other triangles.
 int Delaunay::ghost_edge(int t) const {
   for (int h = 3 * t; h < 3 * t + 3; ++h)
     if (origin(h) == infinite) return next(h);
   return -1;
 }
 
-/// A triangle that point v conflicts with: the one that contains it, or a ghost whose hull edge it lies beyond.
+/// The triangle that contains point v, or the ghost beyond the hull if v lies there.
 int Delaunay::locate(int v) const {
   const Point& p = point(v);
   int entered = 3 * recent_;
@@ -157,7 +158,8 @@ bool Delaunay::conflicts(int t, const Point& p) const {
   return side > 0 || (side == 0 && is_between(a, b, p));
 }
 
-/// Replaces the triangles whose circumcircle contains point v by a fan around it.
+/// Replaces the triangles whose circumcircle contains point v, or that are ghosts of hull edges it lies beyond, by a
+/// fan around v.
 void Delaunay::insert(int v) {
   const Point& p = point(v);
   ++marker_;

@@ -8,9 +8,10 @@
 
 namespace pliant {
 
-/// The Delaunay triangulation of points, into which segments are then forced. A ghost triangle beyond every hull edge
-/// joins it to the vertex `infinite`, so that every edge has two triangles. Half-edge 3t + e runs from corner e of
-/// triangle t to corner (e + 1) % 3, counter-clockwise.
+/// The Delaunay triangulation of points, into which segments are then forced.
+///
+/// Beyond every edge of the convex hull lies a ghost triangle, which joins the edge to the vertex `infinite`; so every
+/// edge has two triangles. Half-edge 3t + e runs from corner e of triangle t to corner (e + 1) % 3, counter-clockwise.
 class Delaunay {
  public:
   static constexpr int infinite = -1;
@@ -24,7 +25,7 @@ class Delaunay {
   /// Complexity  O(edges crossed), usually
   void insert_segment(int a, int b);
 
-  /// The finite triangles.
+  /// All triangles but the ghosts.
   std::vector<std::array<int, 3>> triangles() const;
 
  private:

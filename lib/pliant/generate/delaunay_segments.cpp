@@ -1,4 +1,4 @@
-// lib/pliant/generate/delaunay_segments.cpp: segments, by flips (Sloan 1993).
+// lib/pliant/generate/delaunay_segments.cpp: forces segments into the triangulation by flips (Sloan 1993).
 #include <deque>
 
 #include "pliant/generate/delaunay.h"
@@ -23,7 +23,7 @@ void Delaunay::constrain(int h) {
   constrained_[static_cast<std::size_t>(twin(h))] = 1;
 }
 
-/// The half-edge opposite a, in the triangle at a through which the segment to b leaves.
+/// The half-edge opposite a in the triangle at a that the segment from a to b enters first.
 int Delaunay::first_crossed(int a, int b) const {
   const Point &p = point(a), &q = point(b);
   const int start = leaving_[static_cast<std::size_t>(a)];
@@ -38,7 +38,7 @@ int Delaunay::first_crossed(int a, int b) const {
   refuse(a, b, "cannot be joined", -1, -1);
 }
 
-/// The edges that cross the segment from a to b, from a on, each from its right to its left.
+/// The edges that cross the segment from a to b, in their order from a on, each given from right to left.
 std::vector<std::array<int, 2>> Delaunay::crossed_edges(int a, int b) const {
   std::vector<std::array<int, 2>> crossed;
   for (int h = first_crossed(a, b);;) {
@@ -48,7 +48,7 @@ std::vector<std::array<int, 2>> Delaunay::crossed_edges(int a, int b) const {
     if (w == b) return crossed;
     const int side = orient2d(point(a), point(b), point(w));
     if (side == 0) refuse(a, b, "are joined by a segment through", w, -1);
-    h = side > 0 ? next(g) : previous(g);  // g runs from left to right
+    h = side > 0 ? next(g) : previous(g);  // g runs from the left of the segment to its right
   }
 }
 
@@ -59,7 +59,8 @@ bool Delaunay::is_flippable(int h) const {
   return orient2d(point(d), point(target(h)), point(c)) > 0 && orient2d(point(c), point(origin(h)), point(d)) > 0;
 }
 
-/// The other diagonal; h keeps its place and runs from its old apex to the other triangle's.
+/// Replaces an edge by the other diagonal of the quadrilateral around it. Its half-edges stay in their triangles'
+/// slots.
 void Delaunay::flip(int h) {
   const int g = twin(h);
   const int a = origin(h), b = target(h), c = apex(h), d = apex(g);
@@ -80,7 +81,7 @@ void Delaunay::flip(int h) {
   join(3 * t + 2, ad);
 }
 
-/// Lawson's flips, from these edges on, until every unconstrained edge nearby is locally Delaunay.
+/// Flips these edges and those that flips disturb until all that are not constrained are locally Delaunay (Lawson).
 void Delaunay::make_delaunay(std::vector<std::array<int, 2>> edges) {
   while (!edges.empty()) {
     const auto [u, v] = edges.back();

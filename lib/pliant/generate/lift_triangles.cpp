@@ -1,4 +1,4 @@
-// lib/pliant/generate/lift_triangles.cpp: Bézier triangles over a planar mesh, certified (paper §6).
+// lib/pliant/generate/lift_triangles.cpp: numbers and places the control points, then untangles elements (paper §6).
 #include "pliant/generate/lift_triangles.h"
 
 #include <algorithm>
@@ -13,8 +13,9 @@
 namespace pliant {
 namespace {
 
-constexpr int most_sweeps = 3;       // over the elements without certificate
-constexpr double way_beyond = 0.25;  // of the way from the first valid place to the best one
+constexpr int most_sweeps = 3;  // sweeps over the elements without certificate
+constexpr double way_beyond =
+    0.25;  // a point goes on by this share of the way from the first valid place to the best one
 
 }  // namespace
 
@@ -30,7 +31,8 @@ std::span<const int> LiftedMesh::net(int t) const {
   return {nets_.data() + index(t) * size, size};
 }
 
-/// Corners keep their numbers; then the edges' points, an edge numbered where it first occurs; then the inner ones.
+/// Corners keep their numbers. Then come the points inside edges, in the order in which edges first occur, then those
+/// inside elements.
 void LiftedMesh::number_points() {
   const NetLayout& layout = NetLayout::of(degree_);
   const std::size_t count = planar_.corners.size(), size = index(layout.size());
@@ -57,7 +59,7 @@ void LiftedMesh::place_points() {
   const NetLayout& layout = NetLayout::of(degree_);
   const int p = degree_, half_edges = static_cast<int>(planar_.twins.size());
   for (int h = 0; h < half_edges; ++h) {
-    if (planar_.twin(h) > h) continue;  // placed once, by the half-edge whose twin was there before, or has none
+    if (planar_.twin(h) > h) continue;  // each edge once
     const Point &a = points_[index(planar_.origin(h))], &b = points_[index(planar_.target(h))];
     const int s = planar_.span(h);
     const bool forward = s >= 0 && spans_[index(s)].from == planar_.origin(h);
@@ -75,8 +77,8 @@ void LiftedMesh::place_points() {
       for (int c = 0; c < 3; ++c) place += (double(ijk[index(c)]) / p) * points_[index(own[index(c)])];
       for (int e = 0; e < 3; ++e) {
         if (planar_.span(3 * t + e) < 0) continue;
-        // The edge's displacement at the foot of this point; the square of the weight makes an elevated quadratic
-        // element of an elevated quadratic edge.
+        // Adds the displacement of the edge at the foot of this point. With the square of the weight, a quadratic edge
+        // that was elevated gives a quadratic element that was elevated.
         const double from = ijk[index(e)], to = ijk[index((e + 1) % 3)], weight = (from + to) / p;
         const double foot = p * to / (from + to);
         const int k = std::min(static_cast<int>(foot), p - 1);
@@ -117,7 +119,7 @@ bool LiftedMesh::is_valid(int t) const {
   return (corner < 0 ? certify(degree_, element) : certify_cusp(degree_, element, corner)) == Validity::valid;
 }
 
-/// A place for one control point of an element, such that all elements (one or two) that have it are valid.
+/// A place for control point k of an element such that all elements that have the point, one or two, are valid.
 std::optional<Point> LiftedMesh::valid_place(int t, int k) {
   const NetLayout& layout = NetLayout::of(degree_);
   Point& moving = points_[index(net(t)[index(k)])];
@@ -138,7 +140,7 @@ std::optional<Point> LiftedMesh::valid_place(int t, int k) {
   const Point start = moving;
   const Placement best = untangle_point(degree_, elements, start);
   if (best.outcome != Placement::Outcome::placed) return std::nullopt;
-  // The best place may be far away and bend the edge more than it needs: look for the first valid one on the way.
+  // The best place may be far away, and bend the edge more than needed. So look for the first valid place on the way.
   const auto is_valid_at = [&](double f) {
     moving = start + f * (best.place - start);
     return is_valid(t) && (around[1] < 0 || is_valid(around[1]));
@@ -153,7 +155,7 @@ std::optional<Point> LiftedMesh::valid_place(int t, int k) {
   return place;
 }
 
-/// Moves the control point that has to move least.
+/// Makes an element valid by moving the control point for which the shortest way suffices; false if there is none.
 bool LiftedMesh::untangle_element(int t, double most_bending) {
   Box box;
   for (int c = 0; c < 3; ++c) box.extend(points_[index(net(t)[index(c)])]);

@@ -1,4 +1,4 @@
-// lib/pliant/generate/lift_triangles.h: Bézier triangles over a planar mesh, certified (paper §6).
+// lib/pliant/generate/lift_triangles.h: makes Bézier triangles of a planar mesh, and certifies them (paper §6).
 #pragma once
 #include <array>
 #include <optional>
@@ -11,22 +11,25 @@
 
 namespace pliant {
 
-/// The mesh of degree p over a planar mesh: constrained edges are the curves' spans, all others straight with equally
-/// spaced control points; inner control points take up the edges' displacement, fading towards the opposite corner.
-/// Elements that are then not valid are untangled by their inner edges' control points, one at a time.
+/// A mesh of Bézier triangles over a planar mesh. Constrained edges become the spans of the curves. All other edges are
+/// straight, with equally spaced control points. The control points inside an element follow the displacement of its
+/// edges, less and less towards the opposite corner. Elements that are not valid then are untangled: control points of
+/// inner edges and inside elements are moved, mostly one at a time.
 class LiftedMesh {
  public:
-  /// Requires spans of degree `degree`.
+  /// Requires that the spans have degree `degree`. References are kept.
   LiftedMesh(int degree, const BoundarySpans& spans, const PlanarMesh& planar);
 
-  /// Certifies, untangles; the elements (numbers in the planar mesh) that stay without certificate. No control point
-  /// moves by more than `most_bending` times its element's extent.
+  /// Certifies the elements and untangles those that are not valid. Returns those that stay without certificate, by
+  /// their numbers in the planar mesh. A control point that is moved alone moves by at most `most_bending` times the
+  /// extent of its element.
   std::vector<int> untangle(double most_bending);
 
+  /// How many elements untangle() has made valid.
   long untangled() const { return untangled_; }
-  /// Nodes with a corner of tangent angle 0, in ascending order.
+  /// The nodes at which two spans have the same tangent, ascending.
   const std::vector<int>& cusps() const { return cusps_; }
-  /// Points, triangles, faces and constrained edges; points that belong to no triangle are left out.
+  /// Writes points, triangles, faces and constrained edges. Points that belong to no triangle are left out.
   void write(MeshData& data) const;
 
  private:
@@ -45,9 +48,9 @@ class LiftedMesh {
   int degree_;
   const BoundarySpans& spans_;
   const PlanarMesh& planar_;
-  std::vector<int> nets_;  // net_size indices a triangle
+  std::vector<int> nets_;  // net_size indices for each triangle
   std::vector<Point> points_;
-  std::vector<int> cusp_corner_;  // of each triangle; -1: none
+  std::vector<int> cusp_corner_;  // the corner of each triangle that is a cusp; -1: none
   std::vector<int> cusps_;
   long untangled_ = 0;
 };

@@ -1,4 +1,4 @@
-// lib/pliant/generate/mesh_from_boundary.cpp: the first mesh of a boundary complex (paper §6).
+// lib/pliant/generate/mesh_from_boundary.cpp: rounds of splitting, triangulating and lifting until all is valid.
 #include "pliant/generate/mesh_from_boundary.h"
 
 #include <algorithm>
@@ -15,11 +15,11 @@
 namespace pliant {
 namespace {
 
-constexpr int most_rounds = 60;
-constexpr int patient_rounds = 12;     // in which spans are split rather than inner edges bent much
-constexpr double mild_bending = 0.05;  // of an element's extent
-constexpr int most_ear_rounds = 20;
-constexpr double straight = 1e-9;  // radians: spans that turn less are as good as their chords
+constexpr int most_rounds = 60;        // rounds of splits around invalid elements
+constexpr int patient_rounds = 12;     // first rounds, in which spans are split rather than inner edges bent much
+constexpr double mild_bending = 0.05;  // how far these rounds move a control point at most, in extents of its element
+constexpr int most_ear_rounds = 20;    // rounds of points for ears, in each of those rounds
+constexpr double straight = 1e-9;      // radians: spans that turn less are as good as their chords
 
 class Generator {
  public:
@@ -55,7 +55,8 @@ class Generator {
     return std::move(outcome_);
   }
 
-  /// Tame spans, their chords triangulated, no ear at a smooth or reflex corner.
+  /// Tames the spans and triangulates their chords, with points for the ears at smooth or reflex corners. False if that
+  /// fails; outcome_.failure says why.
   bool triangulate_round() {
     TameOutcome tame = tame_spans(boundary_);
     splits_ += tame.splits;
@@ -70,11 +71,11 @@ class Generator {
       ears_ += static_cast<long>(ears.size());
       free_points_.insert(free_points_.end(), ears.begin(), ears.end());
     }
-    return true;  // an ear that is left is an invalid element, and its edges will be split
+    return true;  // an ear that is left makes an invalid element, whose edges will be split
   }
 
-  /// Splits the edges of elements that could not be made valid: curved ones, and straight ones that the third corner
-  /// is so close to that it encroaches.
+  /// Splits spans at elements that could not be made valid: those that are curved, and straight ones on which the
+  /// opposite corner encroaches. False if none could be split.
   bool split_around(const std::vector<int>& invalid) {
     std::set<std::size_t> chosen;
     for (const int t : invalid)

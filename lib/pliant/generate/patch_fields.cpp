@@ -1,4 +1,4 @@
-// lib/pliant/generate/patch_fields.cpp: samples the old elements at the nodes of the new ones, and mends the integrals.
+// lib/pliant/generate/patch_fields.cpp: samples the old elements at the nodes of new ones, then restores the integrals.
 #include "pliant/generate/patch_fields.h"
 
 #include <algorithm>
@@ -13,9 +13,9 @@
 namespace pliant {
 namespace {
 
-constexpr double inside = -1e-12;    // a place with these barycentric coordinates is in the element, but for rounding
-constexpr double rounding = 1e-15;   // of an integral, relative to that of the absolute values
-constexpr int most_corrections = 3;  // of an integral: each leaves the rounding of the one before
+constexpr double inside = -1e-12;    // with barycentric coordinates of at least this a place is in the element
+constexpr double rounding = 1e-15;   // rounding of an integral, relative to the integral of the absolute values
+constexpr int most_corrections = 3;  // corrections of an integral: each removes the rounding that the last one left
 
 Barycentric clamped(const Barycentric& xi) {
   Barycentric out{};
@@ -124,7 +124,8 @@ void PatchFields::put_residuals(Mesh& mesh, PointId p, FaceId f, std::span<const
   }
 }
 
-/// Corners, then edges, then the inside; what a neighbour has set is known.
+/// Sets the values of an element's corners, then those of its edges, then those inside. Values that a neighbour has set
+/// stay.
 namespace {
 
 /// Where the interpolation node of control point k lies in an element of these coordinates.

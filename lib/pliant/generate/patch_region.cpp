@@ -1,4 +1,4 @@
-// lib/pliant/generate/patch_region.cpp: floods from vertex to vertex, and reads off the border.
+// lib/pliant/generate/patch_region.cpp: grows a region around vertices, and makes a boundary of its border.
 #include "pliant/generate/patch_region.h"
 
 #include <array>
@@ -10,8 +10,8 @@
 namespace pliant {
 namespace {
 
-/// Calls visit(triangle) for those that have a corner in common with t and are reached around it without crossing a
-/// constrained edge.
+/// Calls visit(u) for each triangle u that has a corner in common with t, and is reached around that corner without
+/// crossing a constrained edge.
 template <class Visit>
 void visit_around(const Mesh& mesh, TriangleId t, const Visit& visit) {
   for (int c = 0; c < 3; ++c) {
@@ -62,7 +62,7 @@ bool PatchRegion::add_ring() {
   return triangles_.size() > count;
 }
 
-/// The invalid elements that touch the region, and what is turned over beside them.
+/// Adds the invalid elements that touch the region, and elements beside them that are turned over.
 bool PatchRegion::add_cluster() {
   const std::size_t count = triangles_.size();
   for (std::size_t k = 0; k < triangles_.size(); ++k) {
@@ -74,8 +74,8 @@ bool PatchRegion::add_cluster() {
   return triangles_.size() > count;
 }
 
-/// Elements with two edges on the border: beside them the region would have a notch, and a new edge across it would
-/// join what they join.
+/// Adds elements outside that have two edges on the border. Such an element fills a notch of the region, and its third
+/// edge joins two vertices that a new edge inside the region might join, too.
 void PatchRegion::fill_notches() {
   for (std::size_t k = 0; k < triangles_.size(); ++k)
     for (int e = 0; e < 3; ++e) {

@@ -1,5 +1,4 @@
-// lib/pliant/generate/patch_region.h: a connected set of elements of one face that is to be meshed anew, and its
-// border.
+// lib/pliant/generate/patch_region.h: a connected region of one face that is to be meshed anew, and its border.
 #pragma once
 #include <span>
 #include <vector>
@@ -10,14 +9,14 @@
 
 namespace pliant {
 
-/// Grows from an invalid element, never across a constrained edge.
+/// A region that grows from an invalid element, never across a constrained edge.
 class PatchRegion {
  public:
-  /// `invalid`: for each triangle slot at that time; slots beyond are valid.
-  /// The region is the cluster of invalid elements around the seed, and one ring.
+  /// Makes the region of the cluster of invalid elements around the seed, and one ring around that. `invalid` tells for
+  /// each triangle slot whether its element is invalid; later slots have valid elements.
   PatchRegion(const Mesh& mesh, const std::vector<char>& invalid, TriangleId seed);
 
-  /// Adds rings, and the clusters of invalid elements that these touch; false where there is nothing more to add.
+  /// Adds rings, and the clusters of invalid elements that these touch; false if there was nothing to add.
   bool grow(int rings);
 
   const std::vector<TriangleId>& triangles() const { return triangles_; }
@@ -37,7 +36,8 @@ class PatchRegion {
   std::vector<char> member_;
 };
 
-/// An edge on the border of a region, which lies on its left; on both sides where a curve ends inside a face.
+/// An edge on the border of a region. The region lies on its left, and on both sides if the edge is a slit: an edge on
+/// a curve inside the face.
 struct BorderEdge {
   PointId from, to;
   bool is_slit;
@@ -47,7 +47,7 @@ struct BorderEdge {
 struct RegionBoundary {
   BoundaryComplex complex;  ///< one face, one curve for each edge of the border, in their order
   std::vector<BorderEdge> border;
-  std::vector<PointId> vertices;  ///< of the complex: points of the mesh; the last ones are lone vertices
+  std::vector<PointId> vertices;  ///< the mesh's point for each vertex of the complex; lone vertices come last
 };
 RegionBoundary boundary_of(const Mesh& mesh, const PatchRegion& region);
 

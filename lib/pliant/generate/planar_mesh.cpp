@@ -1,4 +1,4 @@
-// lib/pliant/generate/planar_mesh.cpp: the faces triangulated by the chords of their curves.
+// lib/pliant/generate/planar_mesh.cpp: triangulates all chords, names the face of each triangle, drops what is outside.
 #include "pliant/generate/planar_mesh.h"
 
 #include <algorithm>
@@ -19,6 +19,7 @@ std::uint64_t edge_key(int a, int b) {
   return (static_cast<std::uint64_t>(low) << 32) | high;
 }
 
+/// Names the face of each triangle by the curves around it, and drops the triangles outside.
 class FaceFinder {
  public:
   FaceFinder(const BoundaryComplex& boundary, const BoundarySpans& spans, PlanarMesh& mesh)
@@ -50,7 +51,7 @@ class FaceFinder {
   }
 
  private:
-  /// Twins, spans, and the components that unconstrained edges join.
+  /// Finds twins and spans, and joins triangles over unconstrained edges to components.
   void find_edges() {
     std::vector<std::pair<std::uint64_t, int>> chords(spans_.size()), edges(3 * mesh_.corners.size());
     for (std::size_t i = 0; i < spans_.size(); ++i)

@@ -1,4 +1,4 @@
-// lib/pliant/generate/remesh_patch.cpp: forms regions, meshes them apart, and puts the new elements in their place.
+// lib/pliant/generate/remesh_patch.cpp: meshes a region by itself, and puts the new elements in its place.
 #include "pliant/generate/remesh_patch.h"
 
 #include <algorithm>
@@ -24,8 +24,9 @@ bool is_in_order(const BoundaryComplex& complex) {
          check_boundary_sides(complex).empty();
 }
 
-/// One attempt to replace the elements of a region. Requires a transaction of the caller, who rolls back where a step
-/// refuses.
+/// One attempt to replace the elements of a region by those of `piece`, a mesh of the region's boundary.
+///
+/// Requires    a transaction of the caller, who rolls it back where run() returns false
 class Replacement {
  public:
   Replacement(Mesh& mesh, PatchRegion& region, const RegionBoundary& boundary, const Mesh& piece)
@@ -49,7 +50,8 @@ class Replacement {
   long edges_split() const { return edges_split_; }
 
  private:
-  /// A piece of an edge on the border: its points, what lies beyond, and the new half-edges along it and against it.
+  /// A piece of an edge on the border: its points and what lies beyond it (`side`), and the new half-edges that run
+  /// along it and against it.
   struct BorderPiece {
     Side side;
     HalfEdgeId along = none, against = none;
@@ -72,16 +74,16 @@ class Replacement {
   PatchFields fields_;
   FaceId face_ = none;
   long edges_split_ = 0;
-  std::vector<std::vector<double>> breaks_;     // of each curve of the piece
-  std::vector<std::vector<PointId>> vertices_;  // at these breaks
-  std::vector<std::size_t> first_piece_;        // of each curve, in border_
+  std::vector<std::vector<double>> breaks_;     // the breaks of each curve of the piece
+  std::vector<std::vector<PointId>> vertices_;  // the vertices of the mesh at these breaks
+  std::vector<std::size_t> first_piece_;        // for each curve the index of its first piece in border_
   std::vector<BorderPiece> border_;
-  std::vector<PointId> points_;  // in the mesh, for each point of the piece
+  std::vector<PointId> points_;  // the point of the mesh for each point of the piece
   std::vector<TriangleId> now_;
   std::vector<PointId> free_;
 };
 
-/// Splits the edges where the generator has inserted knots.
+/// Splits the edges of the border where the generator has inserted knots.
 bool Replacement::split_border() {
   for (std::size_t i = 0; i < boundary_.border.size(); ++i) {
     breaks_.push_back(piece_.spline(static_cast<CurveId>(i)).breaks());
@@ -111,7 +113,7 @@ bool Replacement::split(const BorderEdge& edge, std::span<const double> breaks, 
   return true;
 }
 
-/// The vertices of the mesh at the corners of the piece; `none` for new ones.
+/// Finds the vertices of the mesh for those of the piece that lie on the border or alone; the others are new (`none`).
 void Replacement::number_vertices() {
   points_.assign(index(piece_.point_slots()), none);
   for (const LoneVertex& lone : piece_.lone_vertices())
@@ -125,14 +127,14 @@ void Replacement::number_vertices() {
   }
 }
 
-/// An edge between two vertices outlasts the removal.
+/// Does an edge between these two vertices outlast the removal of the region?
 bool Replacement::stays(PointId a, PointId b) const {
   for (const HalfEdgeId h : {find_half_edge(mesh_, a, b), find_half_edge(mesh_, b, a)})
     if (h != none && (mesh_.is_constrained(h) || !region_.contains(triangle_of(h)))) return true;
   return false;
 }
 
-/// A new inner edge would join two vertices that another edge joins.
+/// Would a new inner edge join two vertices that another edge joins already?
 bool Replacement::joins_twice() const {
   for (const HalfEdgeId h : piece_.half_edges()) {
     if (piece_.is_constrained(h) || piece_.twin(h) < h) continue;
@@ -150,7 +152,7 @@ void Replacement::take_border() {
   }
 }
 
-/// The elements of the region, and the points that nothing else has.
+/// Removes the elements of the region, and the points that no other element has.
 void Replacement::remove() {
   std::vector<PointId> kept;
   for (const BorderPiece& piece : border_)
@@ -218,7 +220,7 @@ void Replacement::build() {
   }
 }
 
-/// Meshes the region anew; false, the mesh as it was, where that is not possible.
+/// Meshes the region anew. Where that is not possible the mesh stays as it was, and false is returned.
 bool remesh(Mesh& mesh, PatchRegion region, const RefitOptions& refit, RemeshPatchCounts& counts) {
   const RegionBoundary boundary = boundary_of(mesh, region);
   if (!is_in_order(boundary.complex)) return false;

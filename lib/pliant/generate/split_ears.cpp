@@ -1,4 +1,4 @@
-// lib/pliant/generate/split_ears.cpp: where the ears at smooth and reflex corners get a point.
+// lib/pliant/generate/split_ears.cpp: finds the ears at smooth and reflex corners, and places a point for each.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -10,16 +10,16 @@
 namespace pliant {
 namespace {
 
-constexpr int most_steps = 100;  // through triangles behind an ear
+constexpr int most_steps = 100;  // triangles behind an ear that are passed through
 constexpr double pi = std::numbers::pi;
 
-/// Never valid, or valid only by the last bits; or so nearly flat that a curved element can hardly be good there, while
-/// its chords hide it from every measure of straight triangles.
+/// Is an element at this corner never valid, or valid only by the last bits? Or is the corner so nearly flat that a
+/// curved element can hardly be good there, while its chords hide that from every measure of straight triangles?
 bool is_bad(const CornerAngle& corner) {
   return corner.curved >= pi - 1e-7 || (corner.curved > 5 * pi / 6 && corner.curved - corner.logical > pi / 180);
 }
 
-/// Parameter at which the ray from `from` meets the line a-b; infinite if it does not.
+/// The parameter at which the ray from `from` meets the line through a and b; infinite if it does not.
 double ray_meets(const Point& from, const Vector& along, const Point& a, const Point& b) {
   const double denominator = cross(along, b - a);
   const double s = cross(a - from, b - a) / denominator;
@@ -50,7 +50,7 @@ class EarSplitter {
   static int previous(int h) { return h % 3 == 0 ? h + 2 : h - 1; }
   const Point& at(int node) const { return mesh_.points[static_cast<std::size_t>(node)]; }
 
-  /// Does a point that was placed already, in this triangle or a neighbour, lie in its circumcircle?
+  /// Does the circumcircle of this triangle contain a point that was placed already, in it or in a neighbour?
   bool is_split(int t) const {
     const auto holds = [&](int other) {
       if (!has_point_[static_cast<std::size_t>(other)]) return false;
@@ -63,7 +63,8 @@ class EarSplitter {
     return false;
   }
 
-  /// Along the bisector of the tangents, about a leg's length away, or half way to a curve that stands nearer.
+  /// Places a point on the bisector of the tangents, at 0.8 of the shorter leg's length from the corner, or half way to
+  /// a curve that stands nearer.
   Point place(int h, const CornerAngle& corner) {
     const Point origin = at(mesh_.origin(h));
     const BoundarySpan& span = spans_[static_cast<std::size_t>(mesh_.span(h))];
@@ -74,7 +75,7 @@ class EarSplitter {
                        (tangent.x * std::sin(half) + tangent.y * std::cos(half)) / norm};
     const int opposite = next(h), a = mesh_.origin(opposite), b = mesh_.target(opposite);
     const double leg = std::min(distance(origin, at(a)), distance(origin, at(b)));
-    // On through the triangles behind, as far as no curve stands in the way.
+    // Walks on through the triangles behind, as far as no curve stands in the way.
     double reach = 0.8 * leg;
     int leave = opposite;
     for (int step = 0; step < most_steps; ++step) {

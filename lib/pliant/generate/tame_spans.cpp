@@ -1,4 +1,4 @@
-// lib/pliant/generate/tame_spans.cpp: rounds of splits: what turns too much, and pairs of spans that come too close.
+// lib/pliant/generate/tame_spans.cpp: rounds that split spans which turn too much or come too close to each other.
 #include "pliant/generate/tame_spans.h"
 
 #include <algorithm>
@@ -16,9 +16,9 @@ namespace pliant {
 namespace {
 
 constexpr double most_turning = std::numbers::pi / 3;
-constexpr double least_length = 1e-13;  // of the boundary's size: what doubles can tell apart
-constexpr double margin = 1e-13;        // of a pair's size, or an angle: rounding of control points
-constexpr double sharp = 1e-3;          // radians: an angle that hulls would separate only at spans as short
+constexpr double least_length = 1e-13;  // least length of a span, in sizes of the boundary: what doubles can tell apart
+constexpr double margin = 1e-13;        // for the rounding of control points: in sizes of a pair of spans, or radians
+constexpr double sharp = 1e-3;          // radians: at smaller angles only very short spans have hulls that are apart
 constexpr int most_rounds = 200;
 
 std::vector<Point> reversed(std::span<const Point> polygon) { return {polygon.rbegin(), polygon.rend()}; }
@@ -27,6 +27,7 @@ bool is_angle_below(double angle, const Vector& a, const Vector& b) {
   return dot(a, b) > 0 && std::fabs(cross(a, b)) <= angle * length(a) * length(b);
 }
 
+/// One look at all spans: which are to be split, where, and why.
 class Round {
  public:
   explicit Round(const BoundaryComplex& boundary)
@@ -54,16 +55,16 @@ class Round {
     for (std::size_t i = 0; i < spans_.size(); ++i) boxes[i] = spans_.box(i);
     for (const auto& [first, second] : overlapping_pairs(boxes)) {
       const auto i = static_cast<std::size_t>(first), j = static_cast<std::size_t>(second);
-      // A pair of which one is split anyway is looked at again in the next round.
+      // Where one of a pair is split anyway, the pair is looked at again in the next round.
       if (wish_[i] > 0 || wish_[j] > 0) continue;
       compare(i, j);
     }
   }
 
  private:
-  /// Two spans on both sides of a narrow wedge lie beside each other where their ends are at the same distances from
-  /// the corner: their chords are then in the order of the curves, however much these bend. Splits what has no like on
-  /// the other side; false where the spans do not lead away from a common corner.
+  /// Splits two spans on the two sides of a narrow wedge so that their ends are at the same distances from the corner.
+  /// Then their chords are in the order of the curves, however much these bend. False where the spans do not lead away
+  /// from a common corner.
   bool level_apart(std::size_t i, std::size_t j) {
     const int corner = wedges_.corner_between(i, j);
     if (corner < 0) return false;
@@ -120,7 +121,8 @@ class Round {
     return result;
   }
 
-  /// The one further from its chord: splitting a straight one would not help. Two straight ones are apart as they are.
+  /// Splits that one of two spans which is further from its chord, since splitting a straight one would not help. Two
+  /// straight ones are apart as they are.
   void split_thicker(std::size_t i, std::size_t j) {
     const double height_i = hull_height(spans_.polygon(i)), height_j = hull_height(spans_.polygon(j));
     const Box box_i = spans_.box(i), box_j = spans_.box(j);
@@ -143,7 +145,7 @@ class Round {
   BoundarySpans spans_;
   Wedges wedges_;
   std::vector<double> wish_;
-  std::vector<int> rival_;  // the span that each is to be kept apart from; -1: it turns too much
+  std::vector<int> rival_;  // the span from which each is to be kept apart; -1: it turns too much
 };
 
 }  // namespace
@@ -168,7 +170,7 @@ bool is_cusp(const Vector& a, const Vector& b) { return is_angle_below(1e-9, a, 
 
 double least_span(const BoundaryComplex& boundary) {
   const Box box = bounding_box(boundary);
-  return std::max(least_length * box.size(), 0x1p-46 * box.reach());  // far from the origin doubles can tell less apart
+  return std::max(least_length * box.size(), 0x1p-46 * box.reach());  // far from the origin doubles tell less apart
 }
 
 bool split_span(BoundaryComplex& boundary, const BoundarySpan& span, double least, double s) {

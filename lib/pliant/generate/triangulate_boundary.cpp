@@ -1,4 +1,4 @@
-// lib/pliant/generate/triangulate_boundary.cpp: constrained Delaunay triangulation of a planar straight-line graph.
+// lib/pliant/generate/triangulate_boundary.cpp: hands points and segments to the class Delaunay.
 #include "pliant/generate/triangulate_boundary.h"
 
 #include <stdexcept>

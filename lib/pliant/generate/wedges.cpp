@@ -1,4 +1,4 @@
-// lib/pliant/generate/wedges.cpp: pairs of tangents at each vertex; distances from the corner.
+// lib/pliant/generate/wedges.cpp: compares the tangents at each vertex; finds places by their distance from a corner.
 #include "pliant/generate/wedges.h"
 
 #include <algorithm>
@@ -11,9 +11,10 @@
 namespace pliant {
 namespace {
 
-constexpr double same_radius = 1e-12;  // relative: ends that are as far from a corner
-constexpr double few_ulps = 1e-14;     // of a coordinate: what a parameter in the last place moves a point by, too
-constexpr double most_tilt = 0.2;      // of what joins two such ends, against the circle around the corner
+constexpr double same_radius = 1e-12;  // relative: ends whose distances from a corner differ by less are level
+constexpr double few_ulps = 1e-14;     // the same in coordinates: the last bit of a parameter moves a point by as much
+constexpr double most_tilt =
+    0.2;  // ends are also level if their distances differ by less than this share of their distance from each other
 
 }  // namespace
 
