@@ -1,4 +1,5 @@
-// lib/pliant/improve/smoothing/search_places.cpp: the search of SmoothingMoves by small steps, where nothing else helps.
+// lib/pliant/improve/smoothing/search_places.cpp: the search of SmoothingMoves by small steps, where nothing else
+// helps.
 #include <algorithm>
 #include <array>
 #include <functional>
