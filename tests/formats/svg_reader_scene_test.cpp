@@ -76,7 +76,7 @@ TEST_CASE("style sheets select by element, class and id, the more specific ones 
               square(2, "class='some' id='c'") + square(3, "class='none' id='kept'") + square(4, "id='d'") +
               square(5, "class='none' style='fill:red' id='e'") + square(6, "class='gone' style='display:inline'") +
               square(7, "fill='none' class='other' id='f'")) == "kept, d, e");
-  // Of equal weight the later one wins; a class beats an element, the sheet beats the attribute.
+  // The later of two rules of equal weight wins; a class beats an element, the sheet beats the attribute.
   CHECK(faces("<style>.a{fill:none}.b{fill:red}rect{fill:none}</style>" + square(0, "class='b a' id='x'") +
               square(1, "class='a' fill='red'")) == "x");
 }

@@ -79,7 +79,7 @@ TEST_CASE("between cracks the number of triangles grows with the logarithm of th
   const double bend = GENERATE(0.0, 0.5, 2.0);
   for (const std::vector<double>& lengths : {std::vector<double>{1, 1}, {1, 0.73}, {1, 0.73, 0.9, 1}}) {
     std::vector<int> counts;
-    // Of four bent cracks at 1e-6 some hundred logical triangles stay turned over.
+    // Some hundred logical triangles of four bent cracks at 1e-6 stay turned over.
     const double step = lengths.size() == 2 ? 1e-2 : 1e-1;
     for (const double angle : {1e-2, 1e-2 * step, 1e-2 * step * step}) {
       CAPTURE(degree, inner_knots, bend, lengths.size(), lengths[1], angle);

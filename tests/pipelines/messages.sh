@@ -177,7 +177,7 @@ run 2 passthrough mine.json --report alias.json
 says '--report and INPUT name the same file'
 same mine.json disk.json
 
-# Of a pipe whose first tool fails the others say one line each, and a short one.
+# The first tool of a pipe fails: the others say one line each, and a short one.
 bash -c 'passthrough no-such-file.json | passthrough | passthrough --min-angle 20' >out 2>err
 no_output
 (($(wc -l <err) == 3)) || fail "one line a tool: $(cat err)"

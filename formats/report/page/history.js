@@ -82,7 +82,7 @@ class History {
     return chart.node;
   }
 
-  // Of this frame: all three in the wide chart, in the others the one that matters.
+  // The values of this frame: all three in the wide chart, the one that matters in the others.
   valueText(chart, frame, isCurrent) {
     if (chart.lines.length === 1) return count(chart.lines[0][frame]);
     const words = ['least', 'mean', 'most'];

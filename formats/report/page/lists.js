@@ -34,7 +34,7 @@ function elementButton(mesh, t, attributes, actions, ...children) {
       ...children);
 }
 
-// Of the element's colour, or marked as the element is.
+// A swatch of the element's colour, or marked as the element is.
 function swatch(code, palette) {
   if (code === invalidCode || code === degenerateCode)
     return make('span', {class: `swatch ${code === invalidCode ? 'invalid' : 'degenerate'}`});

@@ -75,7 +75,7 @@ function showFrame(number) {
   select(-1);
 }
 
-// Of all frames: what moves stays in sight.
+// The box of all frames, so that what moves stays in sight.
 function wholeBox() {
   const boxes = frames.map((frame) => frame.box).filter(Boolean);
   if (boxes.length === 0) return [0, 0, 1, 1];

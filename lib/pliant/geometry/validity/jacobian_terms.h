@@ -1,4 +1,4 @@
-// lib/pliant/geometry/validity/jacobian_terms.h: det J as a sum of cross products (private to this layer).
+// lib/pliant/geometry/validity/jacobian_terms.h: det J as a sum of cross products.
 #pragma once
 #include <array>
 #include <span>

@@ -10,42 +10,20 @@
 #include <numeric>
 
 #include "pliant/geometry/index.h"
+#include "pliant/geometry/validity/jacobian_terms.h"
 
 namespace pliant {
 namespace {
 
-/// One term of a product of two polynomials of degree p - 1: its coefficient `target` gets weight * a_i * b_j.
-struct Term {
-  int i, j, target;
-  double weight;
-};
 struct FormTable {
   std::vector<std::array<int, 3>> triangles;
-  std::vector<Term> terms;
-  int most_terms = 0;  // the largest number of terms that one coefficient gets
+  const JacobianTerms* products;  ///< the terms of the product of two polynomials of degree p - 1, as det J is one
 };
 
 FormTable build_table(int degree) {
   const NetLayout& net = NetLayout::of(degree);
-  const NetLayout& partial = NetLayout::of(degree - 1);
-  const NetLayout& product = NetLayout::of(2 * (degree - 1));
-  FormTable table;
-  for (int m = 0; m < partial.size(); ++m) {
-    const auto [i, j, k] = partial.exponents(m);
-    table.triangles.push_back({net.index(i + 1, j), net.index(i, j + 1), net.index(i, j)});
-  }
-  std::vector<int> count(index(product.size()));
-  for (int m = 0; m < partial.size(); ++m) {
-    for (int n = 0; n < partial.size(); ++n) {
-      const auto& e = partial.exponents(m);
-      const auto& f = partial.exponents(n);
-      const int target = product.index(e[0] + f[0], e[1] + f[1]);
-      const double weight =
-          degree * degree * partial.multinomial(m) * partial.multinomial(n) / product.multinomial(target);
-      table.terms.push_back({m, n, target, weight});
-      table.most_terms = std::max(table.most_terms, ++count[index(target)]);
-    }
-  }
+  const JacobianTerms& products = JacobianTerms::of(degree);
+  FormTable table{products.partials, &products};
   if (degree < 2) return table;
   const NetLayout& inverted = NetLayout::of(degree - 2);
   for (int m = 0; m < inverted.size(); ++m) {
@@ -114,11 +92,11 @@ void element_forms(int degree, std::span<const Point> net, ElementForms& forms) 
   }
   // Components are below 2, so each product is below 16. A coefficient is a sum of at most `most_terms` products whose
   // weights sum to p^2; each product carries about ten roundings of 2^-53.
-  forms.error = (table.most_terms + 10) * 0x1p-53 * 16 * degree * degree;
+  forms.error = (table.products->most_terms + 10) * 0x1p-53 * 16 * degree * degree;
   if (degree == 2) return quadratic_forms(along_2.data(), along_3.data(), forms);
   std::fill_n(forms.jacobian.begin(), forms.size(), 0.0);
   std::fill_n(forms.squares.begin(), forms.size(), 0.0);
-  for (const Term& term : table.terms) {
+  for (const JacobianTerm& term : table.products->terms) {
     const Vector &a = along_2[index(term.i)], &b = along_3[index(term.j)];
     const Vector &c = along_2[index(term.j)], &d = along_3[index(term.i)];
     forms.jacobian[index(term.target)] += term.weight * cross(a, b);
