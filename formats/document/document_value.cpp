@@ -116,6 +116,12 @@ std::string write_value(const DocumentValue& value) {
   return text;
 }
 
+Json count_or_number(double value) {
+  constexpr double most_count = 1e15;
+  if (value == std::floor(value) && std::abs(value) < most_count) return static_cast<std::int64_t>(value);
+  return finite_or_null(value);
+}
+
 Json finite_or_null(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
 }  // namespace pliant

@@ -27,5 +27,7 @@ void write_members(JsonWriter& out, const Json& object);
 
 /// The number, or null where it is not finite.
 Json finite_or_null(double value);
+/// The same, and whole numbers below 1e15 without a fraction or an exponent, as counts are written.
+Json count_or_number(double value);
 
 }  // namespace pliant

@@ -9,27 +9,20 @@
 namespace pliant {
 namespace {
 
-/// Counts come without a fraction or an exponent; what is not finite is null.
-Json number(double value) {
-  constexpr double most_count = 1e15;
-  if (value == std::floor(value) && std::abs(value) < most_count) return static_cast<std::int64_t>(value);
-  return finite_or_null(value);
-}
-
 Json to_json(const QualitySummary& summary) {
   Json fields = Json::array();
   for (const ComponentSize& size : summary.fields)
     fields.push_back({{"name", size.field},
                       {"component", size.component},
-                      {"largest", number(size.largest)},
-                      {"l2", number(size.l2)}});
+                      {"largest", count_or_number(size.largest)},
+                      {"l2", count_or_number(size.l2)}});
   return {{"triangles", summary.triangles},
           {"invalid", summary.invalid},
           {"degenerate", summary.degenerate},
-          {"min_logical_angle", number(summary.min_logical_angle)},
-          {"min_scaled_jacobian", number(summary.min_scaled_jacobian)},
-          {"min_shape", number(summary.min_shape)},
-          {"max_distortion", number(summary.max_distortion)},
+          {"min_logical_angle", count_or_number(summary.min_logical_angle)},
+          {"min_scaled_jacobian", count_or_number(summary.min_scaled_jacobian)},
+          {"min_shape", count_or_number(summary.min_shape)},
+          {"max_distortion", count_or_number(summary.max_distortion)},
           {"fields", std::move(fields)}};
 }
 
@@ -46,8 +39,8 @@ Json growth_of(const QualityChange& quality) {
   for (const ComponentGrowth& growth : field_growth(quality.before, quality.after))
     list.push_back({{"name", growth.field},
                     {"component", growth.component},
-                    {"largest", number(growth.largest)},
-                    {"l2", number(growth.l2)}});
+                    {"largest", count_or_number(growth.largest)},
+                    {"l2", count_or_number(growth.l2)}});
   return list;
 }
 
@@ -60,7 +53,7 @@ Json refusals_of(const PassReport& report) {
 Json places_of(const PassReport& report) {
   Json places = Json::array();
   for (const auto& [reason, place] : report.refused_at)
-    places.push_back({{"reason", reason}, {"x", number(place.x)}, {"y", number(place.y)}});
+    places.push_back({{"reason", reason}, {"x", count_or_number(place.x)}, {"y", count_or_number(place.y)}});
   return places;
 }
 
@@ -74,8 +67,8 @@ Json seconds_of(const PassRun& run) {
 }  // namespace
 
 void write_pass_report(const PassRun& run, const PassReport& report, const QualityChange* quality, std::string& out) {
-  Json line{{"tool", run.tool}, {"frame", run.frame}, {"time", number(run.time)}, {"values", Json::object()}};
-  for (const auto& [name, value] : report.values) line["values"][name] = number(value);
+  Json line{{"tool", run.tool}, {"frame", run.frame}, {"time", count_or_number(run.time)}, {"values", Json::object()}};
+  for (const auto& [name, value] : report.values) line["values"][name] = count_or_number(value);
   line["refusals"] = refusals_of(report);
   line["refused_at"] = places_of(report);
   line["notes"] = report.notes;

@@ -17,23 +17,37 @@
 namespace pliant {
 namespace {
 
-/// The temporary file that a signal must not leave behind; one at a time, which is all a tool has.
-std::array<char, 4096> unfinished;
-volatile std::sig_atomic_t has_unfinished = 0;
+/// A temporary file that a signal must not leave behind.
+struct Unfinished {
+  std::array<char, 4096> path;
+  volatile std::sig_atomic_t is_used = 0;
+};
+/// As many as a tool ever has at once; a file that finds no place here stays if a signal ends the tool.
+std::array<Unfinished, 8> unfinished;
 
-void remove_unfinished(int signal) {
-  if (has_unfinished != 0) unlink(unfinished.data());
+void remove_and_end(int signal) {
+  remove_unfinished_files();
   std::signal(signal, SIG_DFL);
   raise(signal);
 }
 
-void remember(const std::string& path) {
-  if (path.size() >= unfinished.size()) return;
-  path.copy(unfinished.data(), path.size());
-  unfinished[path.size()] = '\0';
-  has_unfinished = 1;
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGPIPE})
-    if (std::signal(signal, remove_unfinished) == SIG_IGN) std::signal(signal, SIG_IGN);  // as under nohup
+/// Unless a signal is ignored, as under nohup, or the tool handles it itself.
+void remove_on_signals() {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGPIPE}) {
+    const auto before = std::signal(signal, remove_and_end);
+    if (before != SIG_DFL && before != SIG_ERR) std::signal(signal, before);
+  }
+}
+
+/// Its place among the unfinished; null if there is none.
+Unfinished* remember(const std::string& path) {
+  const auto free = std::ranges::find_if(unfinished, [](const Unfinished& each) { return each.is_used == 0; });
+  if (free == unfinished.end() || path.size() >= free->path.size()) return nullptr;
+  path.copy(free->path.data(), path.size());
+  free->path[path.size()] = '\0';
+  free->is_used = 1;
+  remove_on_signals();
+  return &*free;
 }
 
 /// The permissions that opening the file anew would give.
@@ -54,10 +68,16 @@ std::string temporary_name(const std::string& path) {
 
 }  // namespace
 
+void remove_unfinished_files() {
+  for (const Unfinished& each : unfinished)
+    if (each.is_used != 0) unlink(each.path.data());
+}
+
 struct OutputFile::State {
   int file = STDOUT_FILENO;
   std::string name = "standard output";
   std::string target, temporary;  // temporary is empty where the file is written in place
+  Unfinished* remembered = nullptr;
 
   [[noreturn]] void fail() const { throw std::system_error(errno, std::generic_category(), name); }
 
@@ -74,12 +94,12 @@ struct OutputFile::State {
       temporary.clear();
       fail();
     }
-    remember(temporary);
+    remembered = remember(temporary);
     if (fchmod(file, mode) != 0) fail();
   }
 
   void forget() {
-    has_unfinished = 0;
+    if (remembered != nullptr) remembered->is_used = 0;
     temporary.clear();
   }
 };
@@ -117,12 +137,18 @@ void OutputFile::write(std::string_view bytes) {
   }
 }
 
-void OutputFile::commit() {
-  // close tells of errors that the system held back, for example of a full disk.
-  if (close(std::exchange(state_->file, -1)) != 0) state_->fail();
+void OutputFile::publish() {
   if (state_->temporary.empty()) return;
   if (std::rename(state_->temporary.c_str(), state_->target.c_str()) != 0) state_->fail();
   state_->forget();
 }
+
+void OutputFile::commit() {
+  // close tells of errors that the system held back, for example of a full disk.
+  if (close(std::exchange(state_->file, -1)) != 0) state_->fail();
+  publish();
+}
+
+int OutputFile::descriptor() const { return state_->file; }
 
 }  // namespace pliant

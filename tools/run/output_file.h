@@ -19,10 +19,16 @@ class OutputFile {
   void write(std::string_view bytes);
   /// Closes the file and gives it its name; nothing may be written after.
   void commit();
+  /// Gives the file its name and leaves it open: what is written after is seen at once.
+  void publish();
+  int descriptor() const;
 
  private:
   struct State;
   std::unique_ptr<State> state_;
 };
+
+/// Removes the temporary files of this process; safe in a signal handler.
+void remove_unfinished_files();
 
 }  // namespace pliant

@@ -36,6 +36,18 @@ std::string with_commas(long number) {
   return text;
 }
 
+/// A bar between head and tail, where there is room for one and the share is known (not below 0).
+std::string with_bar(const std::string& head, double share, const std::string& tail, std::size_t width) {
+  std::string bar;
+  const std::size_t around = head.size() + tail.size() + 3;
+  if (share >= 0 && around + least_bar <= width) {
+    bar.assign(std::min(width - around, widest_bar), '.');
+    std::fill_n(bar.begin(), static_cast<std::size_t>(share * static_cast<double>(bar.size())), '#');
+    bar = " [" + bar + "]";
+  }
+  return (head + bar + tail).substr(0, width);
+}
+
 }  // namespace
 
 struct ProgressLine::State {
@@ -49,9 +61,15 @@ struct ProgressLine::State {
   std::condition_variable wake;
   bool ends = false, drawn = false;
   std::thread thread;
+  std::string words;  // instead of the counters
+  double part = -1;
 
   /// At most `width` characters: the bar shrinks, then goes, and then the end is cut.
   std::string text(double seconds, std::size_t width) const {
+    return words.empty() ? counted(seconds, width) : with_bar(tool + ":", part, " " + words, width);
+  }
+
+  std::string counted(double seconds, std::size_t width) const {
     const long done = counters.done.load(std::memory_order_relaxed), count = frames.load(std::memory_order_relaxed);
     const double expected = counters.expected.load(std::memory_order_relaxed);
     const std::string unit = counters.unit.load(std::memory_order_relaxed);
@@ -62,14 +80,7 @@ struct ProgressLine::State {
     if (expected > 0) tail += " " + std::to_string(static_cast<int>(100 * share)) + " %";
     if (done > 0) tail += (expected > 0 ? ", " : " ") + with_commas(done) + " " + unit;
     tail += ", " + with_commas(static_cast<long>(seconds)) + " s";
-    std::string bar;
-    const std::size_t around = head.size() + tail.size() + 3;
-    if (expected > 0 && around + least_bar <= width) {
-      bar.assign(std::min(width - around, widest_bar), '.');
-      std::fill_n(bar.begin(), static_cast<std::size_t>(share * static_cast<double>(bar.size())), '#');
-      bar = " [" + bar + "]";
-    }
-    return (head + bar + tail).substr(0, width);
+    return with_bar(head, expected > 0 ? share : -1, tail, width);
   }
 
   void draw() {
@@ -124,6 +135,13 @@ void ProgressLine::stage(const char* name) {
 
 void ProgressLine::frames_done(long count) {
   if (state_) state_->frames.store(count, std::memory_order_relaxed);
+}
+
+void ProgressLine::show(double part, const std::string& words) {
+  if (!state_) return;
+  const std::lock_guard lock(state_->mutex);
+  state_->part = std::min(part, 1.0);
+  state_->words = words;
 }
 
 std::unique_lock<std::mutex> ProgressLine::give_way() {

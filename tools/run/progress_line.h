@@ -2,6 +2,7 @@
 #pragma once
 #include <memory>
 #include <mutex>
+#include <string>
 
 #include "pliant/mesh/progress.h"
 #include "run/tool_options.h"
@@ -24,6 +25,9 @@ class ProgressLine {
   void stage(const char* name);
   /// From now on this many frames of a series are done.
   void frames_done(long count);
+
+  /// From now on a bar for the part done, and these words, instead of counters; a part below 0 is not known.
+  void show(double part, const std::string& words);
 
   /// Erases the line, if one lives in this process, and keeps it away as long as the lock is held, so that a message
   /// can be written.

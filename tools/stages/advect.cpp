@@ -65,9 +65,12 @@ void AdvectStage::check(const CLI::App& app) {
 PassReport AdvectStage::run(Mesh& mesh, const StageContext& context) const {
   fields_.apply(mesh);
   const double before = mesh.time;
+  AdvectOptions options = options_;
+  if (context.goal && options.policy == StepPolicy::refuse) options.policy = StepPolicy::limit;
+  const std::optional<double> until = context.goal ? context.goal : until_;
   const AdvectOutcome outcome = flow_.velocity()
-                                    ? advect_to(mesh, flow_.velocity(), options_, until_)
-                                    : advect_to(mesh, options_, until_, [this, &mesh](const AdvectOptions& step) {
+                                    ? advect_to(mesh, flow_.velocity(), options, until)
+                                    : advect_to(mesh, options, until, [this, &mesh](const AdvectOptions& step) {
                                         return advect_by_field(mesh, flow_.find_field(mesh), step);
                                       });
   using Status = AdvectOutcome::Status;

@@ -17,6 +17,10 @@ class AdvectStage : public Stage {
     return "Carry a mesh along in a flow by one step, certified: no element is inverted on the way.";
   }
   bool advances_time() const override { return true; }
+  double time_step() const override { return options_.dt; }
+  int velocity_field(const Mesh& mesh) const override { return flow_.velocity() ? none : flow_.find_field(mesh); }
+  bool keeps_refused_mesh() const override { return fields_.empty(); }
+  const char* own_end() const override { return until_ ? "--until" : nullptr; }
   bool may_leave_tangled() const override { return options_.policy == StepPolicy::force; }
   void add_options(CLI::App& app) override;
   void check(const CLI::App& app) override;

@@ -1,6 +1,7 @@
 // tools/stages/stage.h: the options, the check and the pass of one mesh-to-mesh tool, as an object.
 #pragma once
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "pliant/mesh/mesh.h"
@@ -18,6 +19,9 @@ struct StageContext {
   std::function<void(const std::string&)> say = [](const std::string&) {};  ///< takes warnings, a sentence each
   Progress* progress = nullptr;  ///< is told how far the pass has come; null where nobody looks
   bool wants_details = false;    ///< somebody reads the report: what only it shows is worth computing
+  /// Where a loop steps to: a stage that moves time on goes no further than this time, and where its step is unsafe
+  /// takes the safe part of it, unless its options say otherwise.
+  std::optional<double> goal{};
 };
 
 /// One mesh-to-mesh tool without its process: a program adds its options to a parser, parses, calls `check` once, and
@@ -33,6 +37,15 @@ class Stage {
   virtual const char* description() const = 0;  ///< the sentence on top of --help
   /// Does a run move `mesh.time` on?
   virtual bool advances_time() const { return false; }
+  /// For a stage that advances time, after `check`: the length of its step, and the option with which it stops by
+  /// itself at a time that was given; null if it does not.
+  virtual double time_step() const { return 0; }
+  virtual const char* own_end() const { return nullptr; }
+  /// The index of the field of the mesh that is the velocity of such a stage; none where it has another velocity.
+  /// Throws      InputError where the mesh has no such field
+  virtual int velocity_field(const Mesh& /*mesh*/) const { return none; }
+  /// Does a run that throws NoResult leave the mesh as it was?
+  virtual bool keeps_refused_mesh() const { return false; }
   /// May elements of the mesh be invalid before?
   virtual bool accepts_tangled() const { return false; }
   /// May a run, with the options that were checked, leave elements invalid?

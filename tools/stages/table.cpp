@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
+#include <cctype>
 
 #include "options/usage.h"
 #include "run/exit_status.h"
@@ -34,6 +35,32 @@ constexpr std::array stages{
     Entry{"smoothcurves", make<SmoothCurvesStage>},
 };
 
+/// The number of the first word that is this one; 0 if none is.
+std::size_t find_word(const std::vector<std::string>& words, const std::string& word) {
+  const auto found = std::ranges::find(words, word);
+  return found == words.end() ? 0 : static_cast<std::size_t>(found - words.begin());
+}
+
+/// The number of the first word that is an option which a complaint names; 0 if none is.
+std::size_t find_named(const std::vector<std::string>& words, const std::string& complaint) {
+  for (std::size_t k = 1; k < words.size(); ++k) {
+    const std::string option = words[k].substr(0, words[k].find('='));
+    if (!option.starts_with("--")) continue;
+    const std::size_t place = complaint.find(option);
+    if (place == std::string::npos) continue;
+    const std::size_t end = place + option.size();
+    if (end == complaint.size() || (complaint[end] != '-' && std::isalnum(complaint[end]) == 0)) return k;
+  }
+  return 0;
+}
+
+std::string explain(const CLI::App& app, const CLI::ParseError& error, const std::vector<std::string>& left) {
+  if (error.get_exit_code() == 0) return "a stage gives no help; `" + app.get_name() + " --help` does";
+  if (!left.empty() && !left.front().starts_with('-'))
+    return "a stage reads no INPUT, '" + left.front() + "' is too much";
+  return explain_usage(app, error.what());
+}
+
 }  // namespace
 
 std::vector<std::string> stage_names() {
@@ -50,18 +77,19 @@ std::unique_ptr<Stage> make_stage(const std::string& name) {
 std::unique_ptr<Stage> parse_stage(const std::vector<std::string>& words) {
   const std::string name = words.empty() ? "" : words.front();
   std::unique_ptr<Stage> stage = make_stage(name);
-  if (stage == nullptr) throw UsageError("there is no stage '" + name + "'");
+  if (stage == nullptr) throw StageUsageError("there is no stage '" + name + "'", 0);
   CLI::App app{stage->description(), name};
   stage->add_options(app);
   try {
     app.parse(std::vector<std::string>(words.rbegin(), words.rend() - 1));
+    stage->check(app);
   } catch (const CLI::ParseError& error) {
-    const std::vector<std::string> words_left = app.remaining();
-    if (!words_left.empty() && !words_left.front().starts_with('-'))
-      throw UsageError(name + ": a stage reads no INPUT, '" + words_left.front() + "' is too much");
-    throw UsageError(name + ": " + explain_usage(app, error.what()));
+    const std::vector<std::string> left = app.remaining();
+    const std::size_t word = left.empty() ? find_named(words, error.what()) : find_word(words, left.front());
+    throw StageUsageError(name + ": " + explain(app, error, left), word);
+  } catch (const UsageError& error) {
+    throw StageUsageError(error.what(), find_named(words, error.what()));
   }
-  stage->check(app);
   return stage;
 }
 

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "pliant/geometry/index.h"
+#include "pliant/geometry/linear_triangle.h"
 #include "pliant/quality/element/element_forms.h"
 
 namespace pliant {
@@ -66,6 +67,16 @@ LeastQuality least_quality_of_mesh(const Mesh& mesh, std::span<const TriangleId>
     element_forms(mesh.degree(), {net.data(), index(mesh.net_size())}, forms);
     if (!is_surely_better(forms, least)) least = least_of(least, quality_of(forms));
   }
+  return least;
+}
+
+double least_logical_angle(const Mesh& mesh) {
+  constexpr double degrees = 180 / std::numbers::pi;
+  double least = 60;
+  for (TriangleId t = 0; t < mesh.triangle_slots(); ++t)
+    if (mesh.is_alive(t))
+      least = std::min(least, degrees * least_angle(mesh.point(mesh.corner(t, 0)), mesh.point(mesh.corner(t, 1)),
+                                                    mesh.point(mesh.corner(t, 2))));
   return least;
 }
 

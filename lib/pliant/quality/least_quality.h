@@ -28,4 +28,9 @@ LeastQuality least_quality(const Mesh& mesh, std::span<const TriangleId> element
 /// coefficients of det J show that most other elements are better.
 LeastQuality least_quality_of_mesh(const Mesh& mesh, std::span<const TriangleId> poor = {});
 
+/// The least angle of the straight triangles on the corners, in degrees; 60 if there are no elements.
+///
+/// Complexity  O(mesh)
+double least_logical_angle(const Mesh& mesh);
+
 }  // namespace pliant

@@ -1,0 +1,74 @@
+// lib/pliant/evolve/schedule.cpp: steps are numbered from the first time, so that the time alone tells where one is.
+#include "pliant/evolve/schedule.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+
+#include "pliant/flow/advect_to.h"
+
+namespace pliant {
+namespace {
+
+constexpr double same_time = 1e-9;  // times closer than this part of a step are the same
+
+}  // namespace
+
+Schedule::Schedule(double first_time, ScheduleOptions options) : first_(first_time), options_(std::move(options)) {
+  assert(options_.dt > 0 && std::isfinite(options_.dt) && std::isfinite(first_));
+  std::ranges::sort(options_.at);
+  const auto [begin, end] = std::ranges::unique(options_.at);
+  options_.at.erase(begin, end);
+}
+
+double Schedule::slack() const { return same_time * options_.dt; }
+
+double Schedule::grid_time(long step) const {
+  const double time = round_time(first_ + static_cast<double>(step) * options_.dt, options_.dt);
+  return options_.until && time >= *options_.until - slack() ? std::max(*options_.until, first_) : time;
+}
+
+long Schedule::steps_done(double time) const {
+  constexpr double most = 9e15;  // beyond it not every whole number is a double
+  const double quotient = std::floor((time - first_) / options_.dt);
+  long step = static_cast<long>(std::clamp(quotient, 0.0, most));
+  while (step > 0 && grid_time(step) > time + slack()) --step;
+  // The last step may be a short one, to `until`.
+  while (grid_time(step + 1) <= time + slack() && grid_time(step + 1) > grid_time(step)) ++step;
+  return step;
+}
+
+std::optional<double> Schedule::end() const {
+  if (options_.steps && options_.even_steps) return grid_time(*options_.steps);
+  return options_.until;
+}
+
+double Schedule::meet(double goal, double time) const {
+  const auto next = std::ranges::upper_bound(options_.at, time + slack());
+  if (next != options_.at.end() && *next <= goal + slack()) goal = *next;
+  if (options_.until && goal >= *options_.until - slack()) goal = *options_.until;
+  return goal;
+}
+
+std::optional<double> Schedule::next_goal(double time, long steps_done, double longest) const {
+  if (options_.until && time >= *options_.until - slack()) return {};
+  if (options_.steps && steps_done >= *options_.steps) return {};
+  const double goal = options_.even_steps ? grid_time(steps_done + 1) : time + std::min(longest, options_.dt);
+  return meet(goal, time);
+}
+
+bool Schedule::ends_step(double time) const {
+  return !options_.even_steps || std::abs(grid_time(steps_done(time)) - time) <= slack();
+}
+
+bool Schedule::is_frame(double time, long steps_done) const {
+  if (time == first_) return true;
+  if (std::ranges::binary_search(options_.at, time)) return true;
+  if (options_.every == 0 || steps_done % options_.every != 0) return false;
+  if (!options_.even_steps) return true;
+  const double goal = round_time(first_ + static_cast<double>(steps_done) * options_.dt, options_.dt);
+  return std::abs(goal - time) <= slack();  // a last step that was shortened to `until` is none
+}
+
+}  // namespace pliant
