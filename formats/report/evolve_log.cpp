@@ -81,8 +81,8 @@ void write_step_line(const StepLine& line, std::string& out) {
 
 double read_step_time(std::string_view line) {
   const Json json = Json::parse(line, nullptr, false);
-  if (!json.is_object() || !json.contains("time") || !json["time"].is_number())
-    throw InputError("", "this is no line of an evolve log: it has no number \"time\"");
+  if (!json.is_object() || !json.contains("stages") || !json.contains("time") || !json["time"].is_number())
+    throw InputError("", "this is no line of an evolve log: it has no \"stages\", or no number \"time\"");
   return json["time"].get<double>();
 }
 
@@ -110,8 +110,8 @@ void write_history_row(const std::vector<std::string>& columns, const StepLine& 
 std::vector<std::string> read_history_heading(std::string_view heading) {
   std::vector<std::string> columns;
   for (const std::string_view cell : split_cells(heading)) columns.emplace_back(cell);
-  if (std::ranges::find(columns, "time") == columns.end())
-    throw InputError("", "this is no heading of an evolve history: it has no column time");
+  if (columns.front() != "step" || std::ranges::find(columns, "time") == columns.end())
+    throw InputError("", "this is no heading of an evolve history: it has no columns step and time");
   return columns;
 }
 

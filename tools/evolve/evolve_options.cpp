@@ -13,6 +13,7 @@
 #include "evolve/frame_output.h"
 #include "options/numbers.h"
 #include "run/exit_status.h"
+#include "run/same_file.h"
 
 namespace pliant {
 namespace {
@@ -114,13 +115,23 @@ void EvolveCommand::read_frames(const CLI::App& app) {
   }
   if (options_.resumes && !options_.is_numbered() && options_.tool.output == "-")
     throw UsageError("--resume goes on from the frames of the output: give -o FILE or --frames PATTERN");
-  for (const std::string* const path : {&options_.log, &options_.history})
-    if (*path == "-") throw UsageError("--log and --history need files of their own, not -");
-  if (!options_.log.empty() && options_.log == options_.history)
-    throw UsageError("--log and --history name the same file, '" + options_.log + "'");
-  for (const std::string* const path : {&options_.log, &options_.history})
-    if (!path->empty() && *path == options_.tool.output)
-      throw UsageError("--log or --history names the file of -o, '" + *path + "'; give it one of its own");
+  read_logs();
+}
+
+void EvolveCommand::read_logs() {
+  const std::string standard = "-";
+  const std::pair<const char*, const std::string*> others[] = {{"--log", &options_.log},
+                                                               {"-o", &options_.tool.output},
+                                                               {"INPUT", &options_.tool.input},
+                                                               {"--step", &step_file_}};
+  for (const auto& [option, path] : {std::pair("--log", &options_.log), std::pair("--history", &options_.history)}) {
+    if (path->empty()) continue;
+    if (*path == standard) throw UsageError(std::string(option) + " needs a file of its own, not -");
+    for (const auto& [other, taken] : others)
+      if (taken != path && !taken->empty() && *taken != standard && is_same_file(*path, *taken))
+        throw UsageError(std::string(option) + " and " + other + " name the same file, '" + *path +
+                         "'; give each one of its own");
+  }
 }
 
 EvolveOptions EvolveCommand::read(const CLI::App& app) {

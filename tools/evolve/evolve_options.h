@@ -40,6 +40,7 @@ class EvolveCommand {
   void read_goals(const CLI::App& app);
   void read_times();
   void read_frames(const CLI::App& app);
+  void read_logs();
 
   EvolveOptions options_;
   std::string step_, step_file_, until_, steps_, every_, at_, cfl_, steady_;

@@ -87,6 +87,8 @@ class Simulation {
     const long steps = start_.is_resumed ? noted_steps(start_.mesh) : 0;
     mesh_.emplace(std::move(start_.mesh));
     evolution_.emplace(make_evolution(*mesh_, steps));
+    if (options_.courant > 0) find_velocity(*mesh_, "--cfl");
+    if (options_.steady > 0) find_velocity(*mesh_, "--until-steady");
     if (start_.is_resumed) {
       text_ = std::move(start_.text);
       written_time_ = mesh_->time;
@@ -134,7 +136,7 @@ class Simulation {
     } catch (const NoResult& error) {
       fail(place() + error.what(), running_ == 0 && step_.stages.front()->keeps_refused_mesh());
     } catch (const InputError& error) {
-      throw InputError(error.pointer(), place() + error.what());
+      throw Placed(status::bad_input, options_.tool.input + ": " + error.pointer() + ": " + place() + error.what());
     } catch (const std::bad_alloc&) {
       fail(place() + std::string(out_of_memory), false);
     } catch (const std::length_error&) {

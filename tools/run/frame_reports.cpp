@@ -5,13 +5,13 @@
 #include <cerrno>
 #include <cmath>
 #include <cstdio>
-#include <filesystem>
 #include <optional>
 #include <system_error>
 
 #include "formats/report/pass_report_json.h"
 #include "pliant/geometry/describe.h"
 #include "run/exit_status.h"
+#include "run/same_file.h"
 
 namespace pliant {
 
@@ -106,20 +106,6 @@ void FrameReports::State::print(const Frame& frame, double time, const PassRepor
   say(options, "  goals missed before: " + describe(quality->missed_before) +
                    "; after: " + describe(quality->missed_after) + (advice.empty() ? "" : "; " + advice));
 }
-
-namespace {
-
-/// Do both paths lead to one file, there or not?
-bool is_same_file(const std::string& a, const std::string& b) {
-  std::error_code error;
-  const auto resolved = [&error](const std::string& path) {
-    return std::filesystem::weakly_canonical(std::filesystem::absolute(path, error), error);
-  };
-  if (std::filesystem::equivalent(a, b, error) && !error) return true;
-  return resolved(a) == resolved(b);
-}
-
-}  // namespace
 
 FrameReports::FrameReports(const ToolOptions& options) : state_(new State{options}) {
   if (options.report.empty()) return;

@@ -56,7 +56,7 @@ std::size_t find_named(const std::vector<std::string>& words, const std::string&
 
 std::string explain(const CLI::App& app, const CLI::ParseError& error, const std::vector<std::string>& left) {
   if (error.get_exit_code() == 0) return "a stage gives no help; `" + app.get_name() + " --help` does";
-  if (!left.empty() && !left.front().starts_with('-'))
+  if (!left.empty() && (left.front() == "-" || !left.front().starts_with('-')))
     return "a stage reads no INPUT, '" + left.front() + "' is too much";
   return explain_usage(app, error.what());
 }

@@ -168,7 +168,7 @@ std::vector<Entry> vortices() {
        make_lamb_oseen},
       {{"reversed-vortex",
         "the single vortex in the unit square of Rider and Kothe, reversed by cos(pi t / period): everything is back "
-        "at t = period",
+        "at t = period; also called vortex",
         {{"period", 8, "time after which everything is back"}, {"speed", 1, "greatest speed"}}},
        {"period"},
        make_reversed_vortex},
@@ -238,7 +238,8 @@ const std::vector<NamedFlow>& named_flows() {
   return flows;
 }
 
-VelocityField make_flow(const std::string& name, const std::map<std::string, double>& parameters) {
+VelocityField make_flow(const std::string& called, const std::map<std::string, double>& parameters) {
+  const std::string name = called == "vortex" ? "reversed-vortex" : called;
   const auto found = std::ranges::find_if(entries(), [&](const Entry& entry) { return entry.flow.name == name; });
   if (found == entries().end()) {
     std::string names;
