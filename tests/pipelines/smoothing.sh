@@ -57,7 +57,7 @@ for options in '--vertices' '--vertices --flips' '--vertices --flips --split' '-
   qualityreport --fail-if 'faults > 0' smooth.json >/dev/null || fail "$options leaves faults"
 done
 
-# The report has the counts and, of what stays too curved, the places.
+# The report has the counts, and the places of elements that stay too curved.
 run 0 smoothcurves --keep-going --report report.json -o smooth.json vortex.json
 for name in too_curved edges_smoothed vertices_moved flips splits still_curved needs_split invalid patches_remeshed; do
   grep -q "\"$name\":" report.json || fail "no $name in the report"
