@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Every tool reads what every tool writes, wherever the mesh lies: up to 1e9 widths from the origin.
+# The tools of a step read what those before them write, wherever the mesh lies, up to 1e9 widths from the origin.
 . "${BASH_SOURCE%/*}/common.bash"
 for tool in bspline2mesh advect flipdelaunay refine coarsen smoothcurves qualityreport; do has_tool "$tool" || exit 77; done
 

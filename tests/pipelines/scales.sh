@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# A boundary times a power of two gives the same mesh times it, bit for bit, through every tool; beyond, status 3.
+# Tools give, for a boundary times a power of two, the same mesh times that power, bit for bit. Powers out of range are
+# status 3.
 . "${BASH_SOURCE%/*}/common.bash"
 for tool in bspline2mesh advect flipdelaunay refine coarsen smoothcurves qualityreport import-msh export-msh; do
   has_tool "$tool" || exit 77

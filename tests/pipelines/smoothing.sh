@@ -42,7 +42,7 @@ qualityreport --fail-if 'faults > 0' smooth.json >/dev/null || fail 'regions mes
 grep -Eq '"patches_remeshed": ?[1-9]' report.json || fail "no region was meshed anew: $(cat report.json)"
 grep -q 'elements invalid: .* were replaced by .* new ones' report.json || fail 'nothing is said of regions meshed anew'
 
-# Vertices that a vortex has moved across edges are moved back, asked for or not.
+# A mesh whose vertices a vortex has moved across edges becomes valid, without options and with them.
 stir 5 >far.json
 [ "$(invalid far.json)" -gt 0 ] || fail 'the wide vortex tangles nothing'
 run 0 smoothcurves -o smooth.json far.json
