@@ -58,8 +58,7 @@ Kind recognize(std::string_view bytes) {
 }  // namespace
 
 std::string describe_other_format(std::string_view format) {
-  if (format == "pliant-mesh")
-    return "this is a mesh, which advect, flipdelaunay, refine, coarsen, smoothcurves, qualityreport and export-* read";
+  if (format == "pliant-mesh") return "this is a mesh, which all tools but bspline2mesh and import-* read";
   if (format == "pliant-boundary") return "this is a boundary, of which bspline2mesh makes a mesh";
   return {};
 }

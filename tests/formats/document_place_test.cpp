@@ -22,7 +22,7 @@ constexpr std::string_view nested = R"({ "a": [1, [2.5e3, "x,]}\"{"], {"b/c": {"
     2, 3],
   "": true })";
 
-/// Holds every value of a document to what stands at its place.
+/// Checks for every value of a document that its pointer leads to the place where it stands.
 void check_all(const std::string& json, const nlohmann::json& value, const std::string& pointer, long& count) {
   const DocumentPlace place = find_place(json, pointer);
   std::size_t start = 0;

@@ -1,4 +1,4 @@
-// tests/formats/drawn_boundary.h: small drawings as text, and the areas and spans of the boundaries that are read of
+// tests/formats/drawn_boundary.h: small drawings as text, and areas and spans of the boundaries that are read from
 // them.
 #pragma once
 #include <algorithm>
@@ -60,7 +60,7 @@ inline bool has_span(const BoundaryComplex& boundary, const std::vector<Point>& 
   return false;
 }
 
-/// The greatest distance of points on the curves from what `off` says is 0 on the true outline.
+/// The greatest value of `off` at points on the curves; `off` is the distance from the true outline.
 template <class Off>
 double worst(const BoundaryComplex& boundary, const Off& off) {
   double most = 0;

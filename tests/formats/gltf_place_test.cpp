@@ -61,7 +61,8 @@ TEST_CASE("meshes of any size and place are drawn to single precision of their s
     const MeshData there = placed(mesh, scale, offset);
     const tinygltf::Model model = model_of({there}, options);
     const Box found = world_box(model, "frame 0");
-    // What the doubles of the offset cannot hold is lost before; a quantized box has 65536 steps.
+    // A place may be off by single precision or one of the 65536 steps of a quantized box, and by what the doubles of
+    // the document have lost at this offset.
     const double allowed = scale * (quantize ? 1e-4 : 1e-6) + 4e-16 * std::max(std::abs(offset.x), std::abs(offset.y));
     for (const auto& [is, should] : {std::pair(found.low, plain.low), std::pair(found.high, plain.high)}) {
       CHECK(std::abs(is.x - (scale * should.x + offset.x)) <= allowed);

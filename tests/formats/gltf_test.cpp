@@ -3,7 +3,7 @@
 
 namespace pliant {
 
-TEST_CASE("a file reads back with what its mesh has, in every degree and colouring", "[formats][gltf]") {
+TEST_CASE("what is read back from a file is what its mesh has, in every degree and colouring", "[formats][gltf]") {
   const int degree = GENERATE(1, 2, 3, 4, 5);
   const bool quantize = GENERATE(false, true), binary = GENERATE(false, true);
   const MeshData mesh = colorful(samples::three_disks(degree));
@@ -38,7 +38,8 @@ TEST_CASE("a file reads back with what its mesh has, in every degree and colouri
   }
 }
 
-TEST_CASE("the straight pieces' area tends to the curved one, by the square of their size", "[formats][gltf]") {
+TEST_CASE("the area of the straight pieces tends to the curved area, with the square of their size",
+          "[formats][gltf]") {
   const int degree = GENERATE(2, 3, 4);
   const MeshData mesh = samples::disk(degree);
   const double area = curved_area(mesh);

@@ -185,10 +185,10 @@ TEST_CASE("the numbers of unknown members are rewritten once, and then stay as t
       {"1e5", "1e+05"},
       {"100000", "100000"},
       {"9007199254740993", "9007199254740993"},          // 2^53 + 1 is no double
-      {"-9223372036854775808", "-9223372036854775808"},  // the ends of what 64 bits hold
-      {"18446744073709551615", "18446744073709551615"},
-      {"18446744073709551616", "18446744073709551616"},  // from here on doubles: 2^64 is one,
-      {"18446744073709551617", "18446744073709551616"},  // the next integer is not
+      {"-9223372036854775808", "-9223372036854775808"},  // the least integer that 64 bits hold
+      {"18446744073709551615", "18446744073709551615"},  // the greatest
+      {"18446744073709551616", "18446744073709551616"},  // 64 bits do not hold it: it becomes a double
+      {"18446744073709551617", "18446744073709551616"},  // no double: the nearest one is 2^64
       {"-9223372036854775809", "-9223372036854775808"},
       {"12345678901234567890.0", "12345678901234567168"},  // a double that is written as an integer
       {"0.1234567890123456789", "0.12345678901234568"},
@@ -218,7 +218,7 @@ TEST_CASE("unknown members keep their order and their strings, at any length and
   for (int i = 0; i < 200000; ++i) wide += (i == 0 ? "\"" : ",\"") + std::to_string(i) + "\":\"\"";
   wide += "}";
   deep += std::string(60, ']');
-  // Compared without showing them.
+  // CHECK would print these long texts if it compared them.
   const bool same_wide = kept(wide) == wide, same_deep = kept(deep) == deep;
   CHECK(same_wide);
   CHECK(same_deep);

@@ -1,4 +1,4 @@
-// tests/formats/msh_bad_test.cpp: MSH files that are none.
+// tests/formats/msh_bad_test.cpp: files that are not MSH, or break its rules, are refused with the place.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <random>

@@ -1,4 +1,4 @@
-// tests/formats/msh_test.cpp: what MSH files of every kind say, as meshes.
+// tests/formats/msh_test.cpp: MSH files of every kind are read as the meshes that they describe.
 #include "formats/msh/msh.h"
 
 #include <catch2/catch.hpp>
@@ -59,7 +59,7 @@ TEST_CASE("Lagrange nodes of every order and kind of file become the control poi
   CAPTURE(degree);
   const MeshData mesh = disk(degree, std::max(8, degree));
   const MshSample sample = msh_of(mesh);
-  // The condition of interpolation at equally spaced nodes.
+  // Rounding, times the growth of the condition number of interpolation at equally spaced nodes.
   const double tolerance = 2e-16 * std::pow(2.6, degree);
   for (const MshKind& kind : msh_kinds) {
     CAPTURE(kind.version, kind.binary, kind.swapped);
@@ -95,7 +95,7 @@ TEST_CASE("physical groups name faces and curves, and edges between faces lie on
   const BoundaryComplex& boundary = import.mesh.boundary;
   CHECK(check_structure(import.mesh).empty());
   REQUIRE(boundary.faces.size() == 2);
-  CHECK(boundary.faces[0].name == "core");  // of the first triangle
+  CHECK(boundary.faces[0].name == "core");  // the group of the first triangle
   CHECK(boundary.faces[1].name == "cell");
   REQUIRE(boundary.curves.size() == 2);
   for (const Curve& curve : boundary.curves) {
@@ -276,7 +276,7 @@ TEST_CASE("an element in several physical groups counts for the first", "[msh]")
   CHECK(as_json(import.mesh) == once);
   CHECK(import.warnings.size() == 1);
   CHECK(warns(import, "several physical groups"));
-  // In no other group the second listing is a fault of the mesh.
+  // Elements that are listed twice in the same group are a fault of the mesh.
   sample.elements[2].physical = sample.elements[3].physical = 3;
   const MshImport doubled = read_msh(write_msh(sample, {2, false, false}));
   CHECK(doubled.mesh.triangle_faces.size() == 4);

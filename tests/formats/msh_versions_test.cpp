@@ -1,4 +1,5 @@
-// tests/formats/msh_versions_test.cpp: all versions of MSH files, and sections in any place, say the same mesh.
+// tests/formats/msh_versions_test.cpp: a mesh is read the same from all versions of MSH files, with sections in any
+// order.
 #include <catch2/catch.hpp>
 
 #include "formats/document/mesh_json.h"
@@ -104,7 +105,7 @@ std::string write_parametric(const MshSample& sample, const MshKind& kind) {
 
 }  // namespace
 
-TEST_CASE("every version of a file says the same mesh", "[msh]") {
+TEST_CASE("every version of a file is read as the same mesh", "[msh]") {
   const MshSample sample = small_sample();
   const std::string expected = as_json(write_msh(sample, {}));
   CHECK(as_json(write_msh_1(sample, false)) == expected);
@@ -147,7 +148,7 @@ TEST_CASE("lines of text files may end in CR and LF, comments too", "[msh]") {
   CHECK(as_json(replaced(write_msh_1(sample, false), "\n", "\r\n")) == expected);
 }
 
-TEST_CASE("nodes at one place twice are named", "[msh]") {
+TEST_CASE("nodes at the same place are named", "[msh]") {
   MshSample sample;
   sample.nodes = {{1, 0, 0, 0}, {2, 1, 0, 0}, {3, 0, 1, 0}, {12, 1, 0, 0}, {13, 1e-16, 1, 0}, {14, 1, 1, 0}};
   sample.elements = {{2, 1, 0, 1, {1, 2, 3}}, {2, 2, 0, 2, {12, 14, 13}}};

@@ -98,7 +98,7 @@ TEST_CASE("orders up to ten are written and read", "[msh]") {
   for (int degree = 1; degree <= max_degree; ++degree)
     for (const MshWriteOptions& kind : kinds) {
       CAPTURE(degree, kind.version, kind.binary);
-      // The condition of interpolation at equally spaced nodes.
+      // Rounding, times the growth of the condition number of interpolation at equally spaced nodes.
       check_same(samples::disk(degree, std::max(8, degree)), kind, 2e-16 * std::pow(2.6, degree));
     }
 }

@@ -14,12 +14,12 @@ using namespace pliant;
 
 namespace {
 
-/// A row by its first cell; what is read, and what must be found in what comes of it.
+/// The row is named by its first cell. The text `expected` must be found in what comes of reading `input`.
 struct Case {
   std::string row, input, expected;
 };
 
-/// First cells of all rows of the page's tables, but for their heads.
+/// The first cells of all rows of the page's tables, without the heads.
 std::set<std::string> rows_of(const std::string& page) {
   std::ifstream in(std::string(PLIANT_FORMAT_PAGES) + "/" + page);
   REQUIRE(in);
@@ -274,7 +274,7 @@ TEST_CASE("what each row of svg_import.md says is so", "[svg][pages]") {
 
 TEST_CASE("every row of svg_import.md has a case", "[svg][pages]") {
   std::set<std::string> rows = rows_of("svg_import.md");
-  // Five million elements or pieces, and two gigabytes, take too long for a test.
+  // Limits of two gigabytes and of millions of pieces would take a test too long.
   for (const char* large : {"size of the file", "pieces after fitting"}) CHECK(rows.erase(large) == 1);
   CHECK(rows == rows_with_a_case(drawing_cases()));
 }

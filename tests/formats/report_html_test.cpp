@@ -88,8 +88,8 @@ TEST_CASE("the page is one document that names no other", "[formats]") {
   CHECK(occurrences(page, "<script") == 1 + 2 * 2 + 1);
   for (const char* other : {" src=", "<link", "@import", "import(", "fetch(", "XMLHttpRequest", "https://"})
     CHECK(occurrences(page, other) == 0);
-  CHECK(occurrences(page, "url(") == occurrences(page, "url(#"));  // within the page
-  // The name of a kind of markup, not an address to ask.
+  CHECK(occurrences(page, "url(") == occurrences(page, "url(#"));  // all of them refer into the page
+  // The namespace of SVG looks like an address, but no browser fetches it.
   CHECK(occurrences(page, "http://") == occurrences(page, "'http://www.w3.org/2000/svg'"));
 }
 

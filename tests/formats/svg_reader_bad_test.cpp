@@ -1,4 +1,4 @@
-// tests/formats/svg_reader_bad_test.cpp: drawings that are none, hostile ones, and those that are no boundary.
+// tests/formats/svg_reader_bad_test.cpp: files that are no SVG, hostile drawings, and drawings that are no boundary.
 #include <catch2/catch.hpp>
 #include <chrono>
 #include <random>
@@ -14,7 +14,7 @@ std::string svg(const std::string& content) {
   return "<svg xmlns='http://www.w3.org/2000/svg'>\n" + content + "</svg>";
 }
 
-/// "line 2, column 1: text", the first line of it and the second.
+/// What is said of a bad drawing: its place and what is wrong; "none" if it is read.
 std::string complaint(const std::string& document) {
   try {
     read_svg(document);

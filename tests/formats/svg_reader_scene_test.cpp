@@ -1,4 +1,5 @@
-// tests/formats/svg_reader_scene_test.cpp: what of a drawing is filled: styles, use, viewports, units, warnings.
+// tests/formats/svg_reader_scene_test.cpp: which parts of a drawing are filled: styles, use, viewports, units,
+// warnings.
 #include <catch2/catch.hpp>
 
 #include "formats/svg_import/svg_reader.h"

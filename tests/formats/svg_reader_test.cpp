@@ -99,7 +99,7 @@ TEST_CASE("circles and ellipses have their area and are round within the toleran
   const auto off_circle = [](const Point& p) { return distance(p, {3, 2}) - 5; };
   CHECK(worst(circle.boundary, off_circle) <= circle.error + 1e-14);
   CHECK(circle.error <= allowed);
-  CHECK(worst(circle.boundary, off_circle) > circle.error / 3);  // the bound is no idle one
+  CHECK(worst(circle.boundary, off_circle) > circle.error / 3);  // the bound is at most three times the error
   CHECK(std::abs(face_area(circle.boundary, "c") - 25 * pi) <= 2 * pi * 5 * allowed);
   CHECK(circle.boundary.curves.at(0).spline.closed());
 

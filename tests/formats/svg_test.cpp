@@ -232,7 +232,7 @@ TEST_CASE("an edge that is straight within the resolution is a line, and others 
   SvgPath(coarse, 1, 0, 1e-4).curve_to(polygon);
   CHECK(fine == (bend < 1e-7 ? "L1 0" : bend < 1e-5 ? "Q0.5 -0.000001 1 0" : "Q0.5 -0.001 1 0"));
   CHECK(coarse == (bend < 1e-4 ? "L1 0" : "Q0.5 -0.001 1 0"));
-  // Unevenly run, so that a colour along it is not where a line would have it: as it is.
+  // Parameters are not even along this straight curve. A line would have other colours along it, so it stays a curve.
   std::string uneven;
   SvgPath(uneven, 1, 0).curve_to({{0, 0}, {0.25, 0}, {1, 0}});
   CHECK(uneven == "Q0.25 0 1 0");

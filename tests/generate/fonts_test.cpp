@@ -15,15 +15,15 @@ namespace {
 #ifdef NDEBUG
 constexpr int stride = 1;
 #else
-constexpr int stride = 16;  // with assertions and sanitizers each is slower by as much
+constexpr int stride = 16;  // with assertions and sanitizers a glyph takes about 16 times as long
 #endif
 constexpr double radian = 180 / std::numbers::pi;
 
 const char* const folder = "/usr/share/fonts/truetype/dejavu/";
 
-constexpr double close = 1e-6;  // of a font unit; the size of a glyph is some thousand
+constexpr double close = 1e-6;  // nearer is a contact: in font units, of which a glyph has some thousand
 
-/// Distance of p from the piece: from the nearest of 256 points, the interval around it narrowed.
+/// Distance of p from the piece, found by narrowing the interval around the nearest of 257 points.
 double distance_from(const Conic& c, const Point& p) {
   const auto at = [&](double t) {
     const double s = 1 - t;
@@ -40,7 +40,7 @@ double distance_from(const Conic& c, const Point& p) {
   return at(low);
 }
 
-/// Do two pieces pass here, other than by the join of neighbours?
+/// Do two pieces meet here, other than where neighbours join?
 bool is_contact(const std::vector<Contour>& contours, const Point& p) {
   std::vector<Conic> here;
   for (const Contour& contour : contours)
@@ -58,12 +58,13 @@ Point place_in(const std::string& text) {
   return {std::strtod(text.c_str() + open + 1, nullptr), std::strtod(text.c_str() + comma + 1, nullptr)};
 }
 
-/// Not check_boundary_sides: some contours of these fonts run the wrong way round, which the nonzero rule mends.
+/// Places where the contours cross or touch. Sides of faces are not checked: some contours of these fonts run the wrong
+/// way round, which the nonzero rule mends.
 std::vector<Fault> contacts(const std::vector<Contour>& contours) {
   return check_boundary_geometry(boundary_as_drawn(contours));
 }
 
-/// Where ink ends in an angle below 60 degrees.
+/// Corners of less than 60 degrees, of the ink or of the paper between.
 std::vector<Point> sharp_corners(const std::vector<Contour>& contours) {
   std::vector<Point> corners;
   for (const Contour& contour : contours)
@@ -84,8 +85,8 @@ double least_angle(const std::array<Point, 3>& corners) {
   return least;
 }
 
-/// Does the shortest side lie across a wedge that is narrow there: seen from the corner under less than 0.175 radians,
-/// its ends at distances in a ratio of at most 2.1?
+/// Does the shortest side lie across a narrow wedge? Then its ends are seen from the tip of the wedge under less than
+/// 0.175 radians, at distances in a ratio of at most 2.1.
 bool is_across_wedge(const std::array<Point, 3>& corners, const Point& tip) {
   std::size_t shortest = 0;
   const auto side = [&](std::size_t i) { return distance(corners[i], corners[(i + 1) % 3]); };
@@ -96,8 +97,8 @@ bool is_across_wedge(const std::array<Point, 3>& corners, const Point& tip) {
   return far <= 2.1 * near && std::atan2(std::fabs(cross(a, b)), dot(a, b)) < 0.175;
 }
 
-/// The least angle of the straight triangles that no sharp corner is near, within twice their extent, and that are not
-/// across a narrow wedge of one.
+/// The least angle of the straight triangles that have no sharp corner within twice their extent, and that are not
+/// across a narrow wedge with its tip at one.
 double least_angle_away(const Mesh& mesh, const std::vector<Point>& sharp) {
   double least = 180;
   for (TriangleId t = 0; t < mesh.triangle_slots(); ++t) {
@@ -151,7 +152,7 @@ TEST_CASE(
     CHECK(find_invalid(mesh).empty());
     CHECK(meshed_areas(mesh).front() == Approx(area).epsilon(1e-12));
     CHECK(least_angle_away(mesh, sharp_corners(contours)) >= 20);
-    // Nowhere smaller than needed: the first mesh has all the features that there are.
+    // The first mesh has all features of the outline, so no part of it needs to be refined without end.
     CHECK(mesh.triangle_count() <= 16 * first);
   }
   CHECK(meshes > 1000 / stride);

@@ -13,7 +13,7 @@ using namespace pliant::samples;
 
 namespace {
 
-/// A polygon of one face, with sides of these inner control points (none: straight).
+/// A polygon of one face. A side with inner control points is curved, one without is straight.
 BoundaryComplex polygon(const std::vector<Point>& corners, const std::vector<std::vector<Point>>& inner = {}) {
   BoundaryComplex b = with_faces({"polygon"});
   b.vertices = corners;
@@ -47,7 +47,7 @@ double value_of(const PassReport& report, const std::string& name) {
   return 0;
 }
 
-/// Refines, and holds the mesh to it: valid, and none of its elements left but where a small angle excuses it.
+/// Refines the mesh and checks that it is valid, and that only elements opposite a small angle are left.
 void refine_all(Mesh& mesh, const QualityGoals& goals = {}) {
   RefineOptions options;
   options.goals = goals;
@@ -61,7 +61,7 @@ void refine_all(Mesh& mesh, const QualityGoals& goals = {}) {
   CHECK(value_of(report, "left") <= excused);
 }
 
-/// Edge of a triangle of the logical mesh.
+/// The length of an edge of the logical mesh.
 double edge_length(const Mesh& mesh, HalfEdgeId h) {
   return distance(mesh.point(mesh.origin(h)), mesh.point(mesh.target(h)));
 }
@@ -81,7 +81,7 @@ TEST_CASE("slivers of aspect ratio ten thousand are meshed", "[generate][hard]")
   meshed(polygon({{0, 0}, {1, 0}, {0.5, h}}));
   meshed(polygon({{0, 0}, {1, 0}, {0.01, h}}));
   meshed(polygon({{0, 0}, {1, 0.3}, {1, 0.3 + h}, {0, h}}));
-  // Bent, like a strip of paper, and tapering to both ends.
+  // Bent like a strip of paper, and lenses that taper to both ends.
   meshed(polygon({{0, 0}, {1, 0}, {1, h}, {0, h}}, {{{0.5, 0.4}}, {}, {{0.5, 0.4 + h}}, {}}));
   meshed(polygon({{0, 0}, {1, 0}}, {{{0.5, 0.4}}, {{0.5, 0.4 + h}}}));
   meshed(polygon({{0, 0}, {1, 0}}, {{{0.5, 1.4}}, {{0.5, 1.4 + h}}}));
@@ -100,7 +100,7 @@ TEST_CASE("a feature of a millionth of the domain is meshed", "[generate][hard]"
   meshed(near_wall);
 }
 
-TEST_CASE("gears with fillets are meshed, however small the fillets", "[generate][hard]") {
+TEST_CASE("gears with fillets are meshed, down to fillets of a millionth", "[generate][hard]") {
   for (const double fillet : {0.3, 0.1, 1e-3, 1e-6}) {
     CAPTURE(fillet);
     meshed(filleted_gear(24, fillet));
@@ -184,7 +184,7 @@ TEST_CASE("polygons with curved sides are meshed by the hundred", "[generate][ha
   CHECK(2 * meshes > tried);
 }
 
-TEST_CASE("small angles between curved sides are meshed down to a billionth", "[generate][hard]") {
+TEST_CASE("small angles between curved sides are meshed down to two billionths", "[generate][hard]") {
   for (const double angle : {1e-5, 1e-7, 1e-8, 4e-9, 2e-9}) {
     BoundaryComplex b = crescent(angle / 2);
     for (Point& p : b.vertices) p += Point{1, 1};
@@ -215,7 +215,7 @@ TEST_CASE("what is too close to be meshed is refused by names, parameters and co
   CHECK_THAT(faults.front().text, Catch::Contains("curve 'cell' (0) at parameter") &&
                                       Catch::Contains("curve 'cell' (1) at parameter") && Catch::Contains("at ("));
 
-  // A hairpin: turns back within less than 1e-9 of its length.
+  // A hairpin is a curve that turns back, here within less than 1e-9 of its length.
   const BoundaryComplex hairpin = polygon({{0, 0}, {1, 0.5}, {0, 1e-10}}, {{{0.5, -0.5}}, {{0.5, 1}}, {{-1, 5e-11}}});
   CHECK(check_boundary_geometry(hairpin).empty());
   Mesh mesh;
@@ -247,14 +247,16 @@ TEST_CASE("five hundred cells close together in a box are refined, none of their
   }
 }
 
-TEST_CASE("rounded corners are refined to triangles in proportion to the logarithm of their size",
+TEST_CASE("the number of triangles grows with the logarithm of how small rounded corners are",
           "[generate][hard][refine]") {
   double before = 0;
   for (const double fillet : {1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6}) {
     CAPTURE(fillet);
     Mesh mesh = meshed(filleted_gear(24, fillet));
     refine_all(mesh);
-    if (before > 0) CHECK(mesh.triangle_count() <= before + 96 * 40);  // ten times smaller: so many more a corner
+    if (before > 0)
+      CHECK(mesh.triangle_count() <=
+            before + 96 * 40);  // fillets ten times smaller: at most 40 triangles more for each of 96
     before = mesh.triangle_count();
   }
 }
@@ -266,7 +268,7 @@ TEST_CASE("sizes grow away from a small feature, and nothing is smaller than nee
     b.curves.push_back(closed_curve("hole", circle(2, {0.4, 0.55}, size), outside, 0));
     Mesh mesh = meshed(b);
     refine_all(mesh);
-    // The hole's own edges are 0.7 of its radius long. From there on edges are as long as the distance asks for.
+    // The hole's own edges are 0.7 of its radius long. No edge is shorter than 0.2 of its distance from the centre.
     double worst = HUGE_VAL;
     for (const HalfEdgeId h : mesh.half_edges()) {
       const double away = std::min(distance(mesh.point(mesh.origin(h)), {0.4, 0.55}),
@@ -288,7 +290,7 @@ TEST_CASE(
     return finest + growth * std::hypot(p.x - std::clamp(p.x, 0.0, 1.0), p.y);
   };
   refine_all(mesh, goals);
-  // Equilateral triangles of side h have an area of sqrt(3)/4 h^2 each.
+  // The wanted sizes h ask for equilateral triangles of area sqrt(3)/4 h^2.
   double asked = 0, shortest = HUGE_VAL, longest = 0;
   std::vector<Point> net(static_cast<std::size_t>(mesh.net_size()));
   for (TriangleId t = 0; t < mesh.triangle_slots(); ++t) {

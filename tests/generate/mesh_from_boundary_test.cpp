@@ -19,7 +19,7 @@ BoundaryComplex eccentric_ring(double gap) {
   const BSpline outer = circle(2, {}, 1, 12);
   b.curves.push_back(closed_curve("outer", outer, 0));
   std::vector<Point> points = outer.points();
-  // The middle of a span of the outer circle is nearest; the inner one is the outer, shrunk towards it.
+  // The inner circle is the outer one shrunk towards the middle of one of its spans, and moved inwards by the gap.
   const Point near = outer.evaluate(0.5);
   for (Point& p : points) p = near + 0.5 * (p - near);
   for (Point& p : points) p -= (gap / length(near)) * near;
@@ -61,7 +61,7 @@ TEST_CASE("every sample boundary gets a valid mesh of exactly its area, at degre
   }
 }
 
-TEST_CASE("the degree is the curves', at least two, or the one asked for", "[generate]") {
+TEST_CASE("the degree of the mesh is that of the curves, at least two, or the one asked for", "[generate]") {
   CHECK(meshed(gear()).degree() == 2);
   CHECK(meshed(one_cell(3)).degree() == 3);
   CHECK(meshed(one_cell(2), 5).degree() == 5);
@@ -72,7 +72,7 @@ TEST_CASE("the degree is the curves', at least two, or the one asked for", "[gen
 }
 
 TEST_CASE("no element covers a smooth or reflex corner", "[generate]") {
-  // What validity implies, seen from the constrained edges: between two of one element there is a convex angle.
+  // All corners of this curve are smooth, so no element may have two edges on it.
   const Mesh mesh = meshed(one_cell(2));
   for (TriangleId t = 0; t < mesh.triangle_slots(); ++t)
     for (int e = 0; e < 3; ++e)
@@ -116,7 +116,7 @@ TEST_CASE("faces that touch in a vertex only are meshed", "[generate]") {
   CHECK(meshed(b).triangle_count() == 2);
 }
 
-TEST_CASE("curves close to each other are meshed, down to 1e-9 of the size", "[generate]") {
+TEST_CASE("curves close to each other are meshed, down to a gap of 1e-8", "[generate]") {
   const double gap = GENERATE(1e-2, 1e-4, 1e-7, 1e-8);
   CAPTURE(gap);
   meshed(eccentric_ring(gap));

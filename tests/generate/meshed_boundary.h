@@ -1,4 +1,4 @@
-// tests/generate/meshed_boundary.h: a first mesh, held to all that every first mesh promises.
+// tests/generate/meshed_boundary.h: a first mesh that is checked for all that every first mesh promises.
 #pragma once
 #include <catch2/catch.hpp>
 #include <vector>
@@ -10,7 +10,7 @@
 
 namespace pliant {
 
-/// Area of each face by Green's theorem on its curves.
+/// The area of each face, by Green's theorem on its curves.
 inline std::vector<double> enclosed_areas(const BoundaryComplex& boundary) {
   std::vector<double> area(boundary.faces.size(), 0);
   for (const Curve& curve : boundary.curves) {
@@ -30,8 +30,8 @@ inline std::vector<double> meshed_areas(const Mesh& mesh) {
   return area;
 }
 
-/// The first mesh of a boundary without fault: clean in structure, every element certified, every area that of its
-/// curves.
+/// The first mesh of a sound boundary. Checks that its structure has no fault, that every element is certified valid,
+/// and that every face has the area which its curves enclose.
 inline Mesh meshed(const BoundaryComplex& boundary, int degree = 0) {
   for (const std::vector<Fault>& faults : {check_boundary(boundary), check_boundary_geometry(boundary)})
     for (const Fault& fault : faults) {
@@ -42,13 +42,13 @@ inline Mesh meshed(const BoundaryComplex& boundary, int degree = 0) {
   const GenerateOutcome outcome = mesh_from_boundary(boundary, {degree}, mesh);
   CAPTURE(outcome.failure);
   REQUIRE(outcome.ok);
-  for (const Fault& fault : check_mesh(mesh)) {  // of the document, and of what the mesh derives from it
+  for (const Fault& fault : check_mesh(mesh)) {  // in the document, and in what the mesh derives from it
     CAPTURE(fault.invariant, fault.place, fault.text);
     CHECK(false);
   }
   CHECK(find_invalid(mesh).empty());
   const std::vector<double> area = meshed_areas(mesh), expected = enclosed_areas(boundary);
-  // A band much longer than wide encloses little of what its sums add up: rounding is relative to the whole.
+  // The area of a band much longer than wide is a small difference of large terms, so rounding is relative to the box.
   const double rounding = 1e-15 * mesh.size() * mesh.size();
   for (std::size_t f = 0; f < area.size(); ++f) CHECK(area[f] == Approx(expected[f]).epsilon(1e-13).margin(rounding));
   return mesh;

@@ -16,7 +16,7 @@ using namespace pliant::improve_meshes;
 
 namespace {
 
-/// Some refined mesh with a linear field and noise.
+/// A refined mesh with a linear field and noise.
 Mesh refined_mesh(const BoundaryComplex& boundary, int degree, int elements, bool by_face) {
   Mesh mesh = mesh_of(boundary, degree, by_face);
   RefineOptions options;
@@ -33,13 +33,13 @@ Mesh refined_mesh(const BoundaryComplex& boundary, int degree, int elements, boo
 
 double linear(const Point& p) { return p.x + 2 * p.y - 3; }
 
-/// The mesh with the linear function of the places where its points have come to as field 0.
+/// The mesh with field 0 made anew: the linear function of the places where its points are now.
 Mesh with_linear_field(MeshData data) {
   for (std::size_t p = 0; p < data.points.size(); ++p) data.fields[0].values[p] = linear(data.points[p]);
   return Mesh(std::move(data));
 }
 
-/// Moves inner vertices, the control points around with them, by `reach` times the root of an element's area.
+/// Moves inner vertices, with the control points around them, by `reach` times the square root of an element's area.
 Mesh tangled(Mesh mesh, std::uint64_t seed, int count, double reach) {
   std::mt19937_64 random(seed);
   std::uniform_real_distribution<double> angle(0, 6.28);
@@ -71,7 +71,7 @@ Mesh tangled(Mesh mesh, std::uint64_t seed, int count, double reach) {
 }
 
 using Sums = std::map<std::array<int, 3>, std::array<double, 2>>;
-/// The integral of each component, on each face if by face, and that of its absolute control values.
+/// The integrals of each component and of its absolute control values; on each face if the field is by face.
 Sums integrals(const Mesh& mesh) {
   Sums sums;
   const std::size_t n = index(mesh.net_size());
@@ -116,7 +116,8 @@ int count_kept(const Mesh& was, const Mesh& mesh) {
   return count;
 }
 
-/// The region meshed anew where the mesh is tangled: valid, and nothing else has changed; a second time does nothing.
+/// Meshes anew where the mesh is tangled. Checks that it is valid then, that nothing else has changed, and that a
+/// second run does nothing.
 RemeshPatchCounts check_remeshing(const Mesh& was, Mesh* result = nullptr) {
   Mesh mesh = was;
   const RemeshPatchCounts counts = remesh_invalid(mesh);
@@ -144,7 +145,8 @@ RemeshPatchCounts check_remeshing(const Mesh& was, Mesh* result = nullptr) {
 
 }  // namespace
 
-TEST_CASE("vertices far out of their stars: the elements around are meshed anew, and all else stays", "[generate]") {
+TEST_CASE("where vertices are far out of their stars the elements around are meshed anew, and all else stays",
+          "[generate]") {
   const int degree = GENERATE(1, 2, 3, 4);
   long patches = 0, splits = 0;
   for (std::uint64_t seed = 0; seed < 18; ++seed) {
@@ -160,10 +162,10 @@ TEST_CASE("vertices far out of their stars: the elements around are meshed anew,
     splits += counts.edges_split;
   }
   CHECK(patches > 18);
-  if (degree > 1) CHECK(splits > 0);  // of borders that turn too much
+  if (degree > 1) CHECK(splits > 0);  // borders that turn too much are split
 }
 
-TEST_CASE("all inner points moved at random: faces are meshed anew from their curves", "[generate]") {
+TEST_CASE("where all inner points are moved at random, faces are meshed anew from their curves", "[generate]") {
   const int degree = GENERATE(1, 2, 3, 4);
   for (std::uint64_t seed = 0; seed < 6; ++seed) {
     const std::vector<Sample> all = boundaries(degree);
@@ -205,7 +207,7 @@ TEST_CASE("values stay within their range where regions are meshed anew, and smo
   for (std::uint64_t seed = 0; seed < 6; ++seed) {
     Mesh start = refined_mesh(samples::one_cell(degree), degree, 200, false);
     MeshData data = tangled(std::move(start), seed, 1, 1.5).to_data();
-    // A function of the place as control values, which is what it is up to second order in the elements' size.
+    // Control values of a function at the control points represent it up to second order in the size of elements.
     samples::add_field(data, "smooth", 1, [&](const Point& p) { return std::vector<double>{smooth(p)}; });
     const Mesh was(std::move(data));
     CAPTURE(degree, seed);

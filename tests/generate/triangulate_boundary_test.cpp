@@ -19,7 +19,7 @@ using Segment = std::array<int, 2>;
 
 const Point& at(const std::vector<Point>& points, int v) { return points[static_cast<std::size_t>(v)]; }
 
-/// Points of several unfriendly kinds, all different.
+/// Points of five kinds, from random to degenerate; no point comes twice.
 std::vector<Point> make_points(int kind, int count, std::mt19937_64& random) {
   std::uniform_real_distribution<double> u(0, 1);
   std::set<std::pair<double, double>> seen;
@@ -65,7 +65,7 @@ std::vector<Segment> make_segments(const std::vector<Point>& points, int wanted,
   return segments;
 }
 
-/// Everything that makes triangles the constrained Delaunay triangulation of the hull, by exact predicates.
+/// Checks by exact predicates that the triangles are the constrained Delaunay triangulation of the hull.
 void check(const std::vector<Point>& points, const std::vector<Segment>& segments,
            const std::vector<std::array<int, 3>>& triangles) {
   std::map<Segment, int> apex;
@@ -105,7 +105,7 @@ void check(const std::vector<Point>& points, const std::vector<Segment>& segment
   }
   CHECK(is_convex);
   CHECK(is_delaunay);
-  CHECK(triangles.size() == 2 * points.size() - 2 - hull);  // Euler
+  CHECK(triangles.size() == 2 * points.size() - 2 - hull);  // by Euler's formula
 }
 
 }  // namespace
@@ -138,7 +138,7 @@ TEST_CASE("constrained Delaunay triangles see no other point inside their circum
   for (const auto& t : triangulate(points, segments))
     for (int v = 0; v < static_cast<int>(points.size()); ++v) {
       if (in_circle(at(points, t[0]), at(points, t[1]), at(points, t[2]), at(points, v)) <= 0) continue;
-      std::vector<Point> more = points;  // seen from the centroid?
+      std::vector<Point> more = points;  // a segment must hide v from the centroid
       more.push_back((at(points, t[0]) + at(points, t[1]) + at(points, t[2])) / 3);
       const Segment sight{static_cast<int>(points.size()), v};
       CHECK(std::any_of(segments.begin(), segments.end(),
@@ -155,12 +155,12 @@ TEST_CASE("long segments through many points are found by flips", "[generate]") 
   check(points, segments, triangulate(points, segments));
 }
 
-TEST_CASE("points in line have no triangles", "[generate]") {
+TEST_CASE("points on one line, or none, have no triangles", "[generate]") {
   CHECK(triangulate(std::vector<Point>{{0, 0}, {1, 1}, {3, 3}, {2, 2}}, {}).empty());
   CHECK(triangulate(std::vector<Point>{}, {}).empty());
 }
 
-TEST_CASE("what is no planar graph is refused by name", "[generate]") {
+TEST_CASE("points and segments that are no planar graph are refused, with the places", "[generate]") {
   const std::vector<Point> square{{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0.5, 0.5}};
   const std::vector<Segment> through{{0, 2}};
   CHECK_THROWS_WITH(triangulate(square, through), Catch::Contains("through 4 (0.5"));
@@ -173,7 +173,7 @@ TEST_CASE("what is no planar graph is refused by name", "[generate]") {
   CHECK_THROWS_AS(triangulate(std::vector<Point>{{0, 0}, {1, std::nan("")}, {0, 1}}, {}), std::invalid_argument);
 }
 
-TEST_CASE("triangles do not depend on a shift of all points by a power of two", "[generate]") {
+TEST_CASE("triangles of points on a grid stay the same when a shift moves all points exactly", "[generate]") {
   std::mt19937_64 random(3);
   std::vector<Point> points = make_points(1, 200, random);
   const auto before = triangulate(points, {});

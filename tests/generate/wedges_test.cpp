@@ -1,4 +1,5 @@
-// tests/generate/wedges_test.cpp: curves that meet under small angles take as many triangles as the angle has digits.
+// tests/generate/wedges_test.cpp: the number of triangles between curves grows with the logarithm of the angle in which
+// they meet.
 #include <catch2/catch.hpp>
 #include <random>
 
@@ -11,7 +12,7 @@ using namespace pliant::samples;
 
 namespace {
 
-/// Knots of a clamped quadratic on [0, 1] with so many random ones inside.
+/// Knots of a clamped quadratic spline on [0, 1], with so many random ones inside.
 std::vector<double> random_knots(int inner, std::mt19937_64& random) {
   std::uniform_real_distribution<double> uniform(0.02, 0.98);
   std::vector<double> knots;
@@ -22,8 +23,8 @@ std::vector<double> random_knots(int inner, std::mt19937_64& random) {
   return knots;
 }
 
-/// Cracks in a square that leave its middle under this angle to each other: pieces of the parabola y = bend x² / 2, of
-/// these lengths, turned; exactly, as their blossom.
+/// Cracks in a square that leave its middle, each turned by `angle` against the one before. They are pieces of the
+/// parabola y = bend x² / 2 of these lengths, exactly: their control points are values of its polar form.
 BoundaryComplex cracks(double angle, const std::vector<double>& lengths, double bend, int inner_knots) {
   BoundaryComplex b = with_faces({"plate"});
   b.vertices = {{0, 0}};
@@ -50,7 +51,8 @@ BoundaryComplex cracks(double angle, const std::vector<double>& lengths, double 
   return b;
 }
 
-/// The triangles of the refined mesh; nearly every one that is left is excused by a small angle or by doubles.
+/// The number of triangles of the refined mesh. Checks that nearly all that are left lie opposite a small angle, or
+/// have the least size that doubles allow.
 int refined_count(const BoundaryComplex& boundary, int degree) {
   Mesh mesh;
   GenerateOptions generate;
@@ -86,7 +88,8 @@ TEST_CASE("between cracks the number of triangles grows with the logarithm of th
       counts.push_back(refined_count(cracks(angle, lengths, bend, inner_knots), degree));
     }
     CAPTURE(degree, inner_knots, bend, lengths.size(), lengths[1], counts);
-    // Two decades of the angle are 6.6 shells, each a few triangles for each wedge and tip.
+    // Shells around the common point halve in size, so that a hundredth of the angle takes 6.6 shells more; each has a
+    // few triangles for each wedge and tip.
     const int least = 60 + 60 * inner_knots * static_cast<int>(lengths.size());
     CHECK(counts[1] <= 2 * counts[0] + 150 * static_cast<int>(lengths.size()) + least);
     CHECK(counts[2] <= 1.5 * counts[1] + 150 * static_cast<int>(lengths.size()) + least);

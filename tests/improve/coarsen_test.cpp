@@ -11,7 +11,7 @@ using namespace pliant::improve_meshes;
 
 namespace {
 
-/// Refined to an area, with all angles reached.
+/// A mesh whose elements are refined to this share of the whole area, and to the default least angle.
 Mesh fine_mesh(const Sample& sample, int degree, double share, bool by_face = false) {
   Mesh mesh = mesh_of(sample.boundary, degree, by_face);
   RefineOptions options;
@@ -30,7 +30,7 @@ CoarsenOptions options_for(const Mesh& mesh, double tolerance) {
   return options;
 }
 
-/// 4/sqrt(3) times the integral of 1/h² over the mesh.
+/// How many equilateral triangles of the wanted lengths h fill the mesh: the integral of 4/(sqrt(3) h²).
 double wanted_count(const Mesh& mesh, const QualityGoals& goals) {
   double sum = 0;
   for (TriangleId t = 0; t < mesh.triangle_slots(); ++t) {
@@ -53,7 +53,7 @@ QualityGoals tenfold(QualityGoals goals) {
 
 }  // namespace
 
-TEST_CASE("a mesh ten times too fine is coarsened to as many triangles as the sizing function asks for",
+TEST_CASE("a mesh ten times too fine is coarsened to the number of triangles that sizes ask for, within 15 percent",
           "[improve][property]") {
   const int degree = GENERATE(1, 2, 3);
   using namespace samples;
@@ -62,7 +62,7 @@ TEST_CASE("a mesh ten times too fine is coarsened to as many triangles as the si
                                 {"cells in a channel", samples::interface(degree)},
                                 {"gear", gear(6)}};
   for (const Sample& sample : all) {
-    if (degree == 3 && sample.name != "annulus") continue;  // for time
+    if (degree == 3 && sample.name != "annulus") continue;  // the others take long
     for (const char* const kind : {"uniform", "area", "graded"}) {
       CAPTURE(degree, sample.name, kind);
       Mesh mesh = mesh_of(sample.boundary, degree);
@@ -104,7 +104,7 @@ TEST_CASE("a mesh ten times too fine is coarsened to as many triangles as the si
   }
 }
 
-TEST_CASE("without a bound on size coarsening goes as far as the least angle lets it", "[improve]") {
+TEST_CASE("without a bound on size coarsening leaves less than twice the triangles of a new mesh", "[improve]") {
   const int degree = GENERATE(1, 2);
   Mesh mesh = fine_mesh({"gear", samples::gear(6)}, degree, 1.0 / 3000);
   CoarsenOptions options;
@@ -113,7 +113,7 @@ TEST_CASE("without a bound on size coarsening goes as far as the least angle let
   refine(first, {});
   coarsen(mesh, options);
   check_left(mesh);
-  CHECK(mesh.triangle_count() < 2 * first.triangle_count());  // what refinement of the first mesh needs
+  CHECK(mesh.triangle_count() < 2 * first.triangle_count());
 }
 
 TEST_CASE("a field of wanted lengths bounds sizes as an expression does", "[improve]") {
@@ -190,7 +190,8 @@ TEST_CASE("after coarsening there is nothing to refine", "[improve][property]") 
   }
 }
 
-TEST_CASE("coarsening ends: a second run removes little, a third nothing more", "[improve]") {
+TEST_CASE("coarsening ends: later runs remove less than a quarter of what the first did, and then nothing",
+          "[improve]") {
   const int degree = GENERATE(1, 2, 3);
   Mesh mesh = fine_mesh({"cell", samples::biconcave_cell(degree)}, degree, 1.0 / 200);
   const CoarsenOptions options = options_for(mesh, 1e-3);
@@ -206,7 +207,8 @@ TEST_CASE("curves stay within their removal error, which adds up and is bounded"
   const bool keep_area = GENERATE(false, true);
   for (const Sample& sample : boundaries(degree)) {
     CAPTURE(degree, keep_area, sample.name);
-    if (degree == 4 && sample.name != "biconcave cell" && sample.name != "divided square") continue;  // for time
+    if (degree == 4 && sample.name != "biconcave cell" && sample.name != "divided square")
+      continue;  // the others take long
     Mesh mesh = fine_mesh(sample, degree, 1.0 / 100);
     const BoundaryComplex original = mesh.boundary();
     CoarsenOptions options = options_for(mesh, 0);
@@ -227,7 +229,7 @@ TEST_CASE("curves stay within their removal error, which adds up and is bounded"
         CHECK(now.removal_error >= accumulated[c]);
         accumulated[c] = now.removal_error;
         largest = std::max(largest, now.removal_error);
-        const double slack = 1e-4 * mesh.size();  // of the polygon that stands for the other curve
+        const double slack = 1e-4 * mesh.size();  // the polygon that stands for the other curve is off by this
         CHECK(distance_of_curves(was, now.spline, 60) <= now.removal_error + slack);
         CHECK(distance_of_curves(now.spline, was, 60) <= now.removal_error + slack);
         if (keep_area && now.spline.closed()) CHECK(now.spline.area() == Approx(was.area()).epsilon(1e-12));
@@ -279,7 +281,8 @@ TEST_CASE("removals that leave the curves where they are keep integrals, linear 
   const int degree = GENERATE(1, 2, 3, 4);
   Mesh mesh = fine_mesh({"channel", samples::interface(degree)}, degree, 1.0 / 200);
   const double area = area_of(mesh), integral = integral_of(mesh, 1, 0);
-  CoarsenOptions options = options_for(mesh, 0);  // only knots that were inserted, or on straight walls, may go
+  // Without tolerance only those knots may go that refinement has inserted, or that lie on straight walls.
+  CoarsenOptions options = options_for(mesh, 0);
   const PassReport report = coarsen(mesh, options);
   CHECK(value_of(report, "interior_removals") > 20);
   CHECK(value_of(report, "accumulated_error") < 1e-13);

@@ -23,7 +23,7 @@ Corners rotated(Corners t) {
   return t;
 }
 
-/// The logical triangles, by numbers of the vertices (in the order of their points).
+/// The logical triangles as numbers of vertices, which count in the order of their points.
 std::set<Corners> logical_triangles(const Mesh& mesh, std::vector<Point>& vertices,
                                     std::vector<std::array<int, 2>>& segments) {
   std::vector<int> number(static_cast<std::size_t>(mesh.point_slots()), -1);
@@ -58,7 +58,8 @@ bool are_crossing(const Point& a, const Point& b, const Point& c, const Point& d
   return orient2d(a, b, c) * orient2d(a, b, d) <= 0 && orient2d(c, d, a) * orient2d(c, d, b) <= 0;
 }
 
-/// Vertices inside the circle of a triangle and visible from its middle: in a constrained Delaunay triangulation none.
+/// How many vertices lie inside the circle of a triangle and are visible from its middle. A constrained Delaunay
+/// triangulation has none.
 int count_seen_in_circles(const std::set<Corners>& triangles, const std::vector<Point>& vertices,
                           const std::vector<std::array<int, 2>>& segments) {
   const auto point = [&vertices](int v) { return vertices[static_cast<std::size_t>(v)]; };
@@ -101,7 +102,7 @@ TEST_CASE(
   CHECK(report.refused_at.empty());
   const std::set<Corners> found = logical_triangles(mesh, vertices, segments);
   CHECK(count_seen_in_circles(found, vertices, segments) == 0);
-  std::set<Corners> wanted;  // of the convex hull
+  std::set<Corners> wanted;  // the triangles of the convex hull, with those in holes and notches
   for (const Corners& t : triangulate(vertices, segments)) wanted.insert(rotated(t));
   const bool is_part = std::ranges::includes(wanted, found);
   CHECK(is_part);
@@ -131,7 +132,7 @@ TEST_CASE("each refusal is listed with the middle of an edge that still wants it
         points.pop_back();
       }
       wanted.emplace_back(points[0].x, points[0].y);
-      // A flip that only a badly bent edge would allow is refused by the pass alone.
+      // The operation takes a badly bent edge if no other place is valid; the pass refuses it.
       const auto listed_at = std::ranges::find_if(
           report.refused_at, [&](const auto& refusal) { return distance(refusal.place, points[0]) < 1e-12; });
       REQUIRE(listed_at != report.refused_at.end());
@@ -151,7 +152,7 @@ TEST_CASE("each refusal is listed with the middle of an edge that still wants it
   if (degree > 1) CHECK(listed > 0);
 }
 
-TEST_CASE("what the limit of flips leaves is no refusal", "[improve]") {
+TEST_CASE("edges that only the limit of flips leaves are not listed as refusals", "[improve]") {
   Mesh mesh = scattered(2, 60, 1);
   DelaunayOptions options;
   options.max_flips = 1;
@@ -199,7 +200,7 @@ TEST_CASE("flips of a straight mesh leave it straight", "[improve]") {
   CHECK(bend < 1e-13);
 }
 
-TEST_CASE("cocircular grids come to an end, and no edge is left whose circle contains a vertex", "[improve]") {
+TEST_CASE("flips of cocircular grids come to an end, and no edge is left whose circle contains a vertex", "[improve]") {
   const int degree = GENERATE(1, 2, 3, 4);
   const auto seed = GENERATE(range<std::uint64_t>(0, 3));
   const bool is_bent = GENERATE(false, true);

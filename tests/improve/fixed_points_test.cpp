@@ -22,10 +22,10 @@ struct RandomCase {
   Mesh mesh;
   CoarsenOptions coarse;
   RefineOptions fine;
-  std::string text;  ///< what it is
+  std::string text;  ///< describes the case
 };
 
-/// A boundary, a degree, goals, and how the mesh was moved before: all drawn.
+/// Draws a boundary, a degree, goals, and how the mesh was refined and moved before.
 RandomCase random_case(int seed) {
   std::mt19937_64 random(static_cast<std::uint64_t>(seed));
   const auto uniform = [&](double low, double high) {
@@ -47,7 +47,7 @@ RandomCase random_case(int seed) {
   drawn.coarse.goals = drawn.fine.goals = goals;
   drawn.coarse.tolerance = std::exp(uniform(std::log(1e-4), std::log(0.03))) * drawn.mesh.size();
   drawn.coarse.step_tolerance = uniform(0.1, 1) * *drawn.coarse.tolerance;
-  if (chance(0.7)) {  // too fine for what is asked
+  if (chance(0.7)) {  // refined more than the goals ask for
     RefineOptions finer = drawn.fine;
     finer.goals->max_area = std::min(goals.max_area, area / 20) / uniform(1, 6);
     refine(drawn.mesh, finer);
@@ -70,7 +70,7 @@ RandomCase random_case(int seed) {
   return drawn;
 }
 
-/// What the two did in each of three rounds: removals, insertions.
+/// Coarsens and refines three times: the removals and insertions of each round.
 std::array<std::array<long, 2>, 3> three_rounds(RandomCase& drawn) {
   std::array<std::array<long, 2>, 3> done{};
   for (auto& [removals, insertions] : done) {
@@ -93,7 +93,7 @@ void check_rest(int first, int last) {
 }  // namespace
 
 TEST_CASE("vertices stay whose removal would let refine succeed on what it had left", "[improve]") {
-  // Three removals and three insertions, again and again: two triangles that refine leaves are near the vertices.
+  // This mesh once had three removals and three insertions in every round, beside two triangles that refine had left.
   std::ifstream file(PLIANT_SAMPLES "/../tests/improve/chase.json");
   REQUIRE(file);
   const std::string text{std::istreambuf_iterator<char>(file), {}};

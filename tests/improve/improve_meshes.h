@@ -17,7 +17,8 @@
 
 namespace pliant::improve_meshes {
 
-/// Field 0 is the linear function x + 2y - 3, field 1 noise of two components (`by_face`: one by face).
+/// Adds two fields: field 0 is the linear function x + 2y - 3, field 1 is noise of two components, with values of its
+/// own on each face if `by_face`.
 inline void add_fields(MeshData& data, bool by_face = false) {
   samples::add_field(data, "linear", 1, [](const Point& p) { return std::vector<double>{p.x + 2 * p.y - 3}; });
   std::mt19937_64 random(42);
@@ -100,7 +101,7 @@ inline Curve straight_curve(const BoundaryComplex& boundary, int degree, int spa
   return curve;
 }
 
-/// The square [0, n]², cut into n² cells with a diagonal each: its vertices are in no general position at all.
+/// The square [0, n]², cut into n² cells with a diagonal each, so that many vertices lie on one line or one circle.
 inline Mesh grid(int degree, int n, std::uint64_t seed) {
   samples::MeshBuilder builder(degree);
   MeshData& data = builder.data();
@@ -134,7 +135,8 @@ inline Mesh grid(int degree, int n, std::uint64_t seed) {
   return Mesh(std::move(out));
 }
 
-/// A square of two faces with a slanted line between them, straight elements, random points, random flips.
+/// A square of two faces with a slanted line between them. Its elements are straight, made by inserting random points
+/// and flipping random edges.
 inline Mesh scattered(int degree, int points, std::uint64_t seed) {
   BoundaryComplex boundary = samples::with_faces({"west", "east"});
   boundary.vertices = {{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0.35, 0}, {0.72, 1}};
@@ -168,7 +170,8 @@ inline std::string text_of(const Mesh& mesh) {
   return text;
 }
 
-/// What every pass must leave: M1 to M6, and a mesh that is its own document (a pipe equals one process).
+/// Checks what every pass must leave: M1 to M6, and a mesh that is numbered as its document is (so that a pipe equals
+/// one process).
 inline void check_left(const Mesh& mesh) {
   for (const Fault& fault : check_mesh(mesh)) FAIL_CHECK(fault.invariant << " " << fault.place << ": " << fault.text);
   CHECK(find_invalid(mesh).empty());
@@ -185,7 +188,7 @@ inline double value_of(const PassReport& report, const std::string& name) {
   return 0;
 }
 
-/// Least angle of the logical triangle, in degrees, by the law of cosines: independent of the passes' ratio.
+/// Least angle of the logical triangle, in degrees, by arc tangents: the passes compare another measure.
 inline double least_angle(const Mesh& mesh, TriangleId t) {
   double least = 180;
   for (int c = 0; c < 3; ++c) {
@@ -202,15 +205,12 @@ inline double area_at(const Mesh& mesh, TriangleId t) {
   return element_area(mesh.degree(), net);
 }
 
-/// Largest distance of points of one curve from a dense polygon of the other, less what the polygon itself is off.
+/// Largest distance of points of one curve from a dense polygon of the other. It includes the distance of the polygon
+/// from the curve that it stands for.
 inline double distance_of_curves(const BSpline& from, const BSpline& to, int samples = 300) {
   const int dense = 1500;
   std::vector<Point> polygon;
-  double longest = 0;
-  for (int k = 0; k <= dense; ++k) {
-    polygon.push_back(to.evaluate(to.first_parameter() + to.period() * k / dense));
-    if (k) longest = std::max(longest, distance(polygon.end()[-1], polygon.end()[-2]));
-  }
+  for (int k = 0; k <= dense; ++k) polygon.push_back(to.evaluate(to.first_parameter() + to.period() * k / dense));
   double worst = 0;
   for (int k = 0; k <= samples; ++k) {
     const Point p = from.evaluate(from.first_parameter() + from.period() * k / samples);

@@ -1,4 +1,4 @@
-// tests/improve/local_feature_size_test.cpp: half the gap, or the radius.
+// tests/improve/local_feature_size_test.cpp: the local feature size is half the gap between curves, or their radius.
 #include "pliant/improve/coarsening/local_feature_size.h"
 
 #include <catch2/catch.hpp>
@@ -61,17 +61,18 @@ TEST_CASE("between two circles it is half the gap where that is less than the ra
   const auto chains = curve_chains(mesh);
   const std::vector<double> sizes = local_feature_sizes(mesh, chains);
   for (const PointId v : chains[0].vertices) {
-    // The disk that touches the outer circle from inside and the hole from outside: |c - hole's centre| = 1 + r.
+    // r is the radius of the disk that touches the outer circle at p from inside, and the hole from outside: its
+    // centre c has |c - hole's centre| = 1 + r.
     const Point p = mesh.point(v);
-    const double far = length(p), R = far;
-    const Vector inward = -1.0 / far * Vector{p.x, p.y};
+    const double outer_radius = length(p);
+    const Vector inward = -1.0 / outer_radius * Vector{p.x, p.y};
     const Vector d = p - Point{0.6, 0};
     const double r = (dot(d, d) - 1) / (2 * (1 - dot(d, inward)));
-    CHECK(sizes[static_cast<std::size_t>(v)] == Approx(std::min(r, R)).epsilon(0.03));
+    CHECK(sizes[static_cast<std::size_t>(v)] == Approx(std::min(r, outer_radius)).epsilon(0.03));
   }
 }
 
-TEST_CASE("the sides of a square that meet do not count for each other, opposite ones do", "[improve]") {
+TEST_CASE("sides of a rectangle that meet do not count for each other, opposite ones do", "[improve]") {
   const int degree = GENERATE(1, 2, 3);
   BoundaryComplex boundary = samples::with_faces({"slab"});
   boundary.vertices = {{0, 0}, {8, 0}, {8, 1}, {0, 1}};

@@ -1,4 +1,4 @@
-// tests/improve/monotone_test.cpp: what smoothing may do more of never leaves a mesh worse.
+// tests/improve/monotone_test.cpp: no further option of smoothing leaves a mesh worse.
 #include <catch2/catch.hpp>
 #include <cstdlib>
 
@@ -11,7 +11,7 @@ using namespace pliant::improve_meshes;
 
 namespace {
 
-/// How many meshes of a degree: a few, or as many as PLIANT_SMOOTHINGS says.
+/// How many meshes are tried at degree 1 and 2: as many as PLIANT_SMOOTHINGS says, or 8.
 std::uint64_t mesh_count() {
   const char* const text = std::getenv("PLIANT_SMOOTHINGS");
   return text ? static_cast<std::uint64_t>(std::atoi(text)) : 8;
@@ -33,7 +33,7 @@ Result smoothed(Mesh mesh, const SmoothMeans& means) {
   return result;
 }
 
-/// To the last bit of what the quality report says.
+/// Compares what the quality report says, to the last bit.
 void check_no_worse(const Result& more, const Result& less) {
   CHECK(more.quality.invalid + more.quality.degenerate <= less.quality.invalid + less.quality.degenerate);
   CHECK(more.quality.min_shape >= less.quality.min_shape);
@@ -67,9 +67,9 @@ TEST_CASE(
     CAPTURE(degree, seed, made.name);
     with_more_to_do += check_options(made.mesh);
   }
-  if (degree == 2) CHECK(10 * with_more_to_do >= count);  // above, the few of a short run may be mended by edges alone
+  if (degree == 2) CHECK(10 * with_more_to_do >= count);  // at higher degrees edges alone may mend all of a short run
 }
 
-TEST_CASE("meshes of Gmsh's with tangled thin elements get no worse by an option more", "[improve]") {
+TEST_CASE("a mesh of Gmsh with thin tangled elements is left no worse by a further option", "[improve]") {
   check_options(mesh_of_gmsh("thin.msh"));
 }

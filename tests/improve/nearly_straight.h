@@ -16,7 +16,8 @@ inline double thickness(const Mesh& mesh, TriangleId t) {
   return cross(b - a, c - a) / std::max({squared_length(b - a), squared_length(c - b), squared_length(a - c)});
 }
 
-/// Lays inner edges straight but for up to this part of their lengths, and the inner points of elements straight.
+/// Bends inner edges by up to `bend` of their lengths (0: makes them straight), and puts the inner control points of
+/// elements where those of the straight triangle are.
 inline void lay_nearly_straight(Mesh& mesh, double bend, std::mt19937_64& random) {
   std::uniform_real_distribution<double> uniform(-bend, bend);
   const int p = mesh.degree();
@@ -38,9 +39,9 @@ inline void lay_nearly_straight(Mesh& mesh, double bend, std::mt19937_64& random
     }
 }
 
-/// The square of `scattered`, with a notch in its side and a hole beside its interface, all of its curves bent by up to
-/// this part of their length: refined, its vertices then moved and edges flipped at random as far as triangles do not
-/// become thin, and its inner edges bent.
+/// The square of `scattered`, with a notch in its side and a hole beside its interface. All curves are bent by up to
+/// `bend` of their lengths. The mesh is refined; then vertices are moved and edges flipped at random, as far as
+/// triangles do not become thin; at last inner edges are bent, too.
 inline Mesh nearly_straight(int degree, double bend, std::uint64_t seed) {
   BoundaryComplex boundary = samples::with_faces({"west", "east"});
   boundary.vertices = {{0, 0},    {1, 0},     {1, 1},       {0, 1},      {0.35, 0},

@@ -11,7 +11,7 @@ using namespace pliant::improve_meshes;
 
 namespace {
 
-/// How many seeds: PLIANT_SETTLE_SEEDS, or a number that suits CI.
+/// How many seeds are tried: as many as PLIANT_SETTLE_SEEDS says, or as many as CI has time for.
 int seed_count() {
   const char* text = std::getenv("PLIANT_SETTLE_SEEDS");
 #ifdef NDEBUG
@@ -21,7 +21,7 @@ int seed_count() {
 #endif
 }
 
-/// Random goals, the angle from 15 to 33 degrees, the area or a size function or neither.
+/// Random goals: a least angle from 15 to 33 degrees, and perhaps bounds on area, size and turning.
 QualityGoals random_goals(const Mesh& mesh, std::mt19937_64& random) {
   std::uniform_real_distribution<double> uniform(0, 1);
   QualityGoals goals;
@@ -65,7 +65,7 @@ TEST_CASE("refining a refined mesh does nothing, and every element left has a re
     }
 }
 
-TEST_CASE("what asks for more triangles than allowed is refused beforehand or on the way", "[improve]") {
+TEST_CASE("goals that need more triangles than allowed are refused, beforehand or on the way", "[improve]") {
   const Mesh mesh = mesh_of(samples::interface(2), 2);
   const double area = area_of(mesh);
   RefineOptions options;
@@ -99,7 +99,7 @@ TEST_CASE("a mesh that has more triangles than allowed is passed on where nothin
   CHECK(mesh.triangle_count() > 1);
 }
 
-TEST_CASE("the least count is one: no refined mesh has fewer triangles", "[improve][property]") {
+TEST_CASE("no refined mesh has fewer triangles than least_triangles says", "[improve][property]") {
   const int degree = GENERATE(1, 2, 3);
   for (const Sample& sample : boundaries(degree)) {
     CAPTURE(degree, sample.name);

@@ -42,7 +42,7 @@ std::vector<std::vector<double>> jacobians_around(const Mesh& mesh, TriangleId t
   return rows;
 }
 
-/// What level_jacobian makes small: (C / mean C before - 1)^2, summed.
+/// The sum that level_jacobian makes small: (C / mean C before - 1)^2 over the coefficients C of det J.
 double unevenness(const std::vector<std::vector<double>>& rows, const std::vector<std::vector<double>>& before) {
   double sum = 0;
   for (std::size_t e = 0; e < rows.size(); ++e) {
@@ -91,7 +91,7 @@ TEST_CASE("sharing the bend of the curves raises the least scaled Jacobian and m
   }
 }
 
-TEST_CASE("a round cell in fine elements comes half way to constant det J at least", "[improve]") {
+TEST_CASE("sharing bends takes a round cell in fine elements at least half way to a constant det J", "[improve]") {
   const int degree = GENERATE(2, 3, 4);
   CAPTURE(degree);
   Mesh mesh = refined({"one cell", samples::one_cell(degree)}, degree, 400);

@@ -45,7 +45,7 @@ Mesh refined(const Sample& sample, int degree, int elements) {
   return mesh;
 }
 
-/// The least tau of the curved elements, by sampling.
+/// The least tau of the curved elements at sample points.
 double worst_shape(const Mesh& mesh) {
   double worst = 1;
   std::vector<Point> net(static_cast<std::size_t>(mesh.net_size()));
@@ -61,7 +61,8 @@ double worst_shape(const Mesh& mesh) {
 
 }  // namespace
 
-TEST_CASE("smoothing never makes the worst element worse, and leaves a valid mesh valid", "[improve][property]") {
+TEST_CASE("smoothing leaves the worst element at most 1.5 percent worse, and a valid mesh valid",
+          "[improve][property]") {
   const int degree = GENERATE(1, 2, 3, 4);
   const auto seed = GENERATE(range<std::uint64_t>(0, 3));
   for (const Sample& sample : boundaries(degree)) {
@@ -93,7 +94,8 @@ TEST_CASE("what is not too curved is left as it is", "[improve]") {
   CHECK(is_same);
 }
 
-TEST_CASE("edges bent between straight triangles are straightened enough", "[improve][property]") {
+TEST_CASE("smoothing mends at least 85 percent of the elements that bent edges between straight triangles spoil",
+          "[improve][property]") {
   const int degree = GENERATE(2, 3, 4);
   const auto seed = GENERATE(range<std::uint64_t>(0, 4));
   CAPTURE(degree, seed);
@@ -109,8 +111,9 @@ TEST_CASE("edges bent between straight triangles are straightened enough", "[imp
   check_left(mesh);
 }
 
-TEST_CASE("one displaced edge a neighborhood is always untangled", "[improve][property]") {
-  // All else is in place, so a valid place exists, and optimal placement finds it.
+TEST_CASE("elements that one displaced edge tangles, with all around in place, are always untangled",
+          "[improve][property]") {
+  // The edge has a valid place, the old one, and optimal placement finds one.
   const int degree = GENERATE(2, 3);
   const auto seed = GENERATE(range<std::uint64_t>(0, 6));
   for (const Sample& sample : boundaries(degree)) {
@@ -146,7 +149,7 @@ TEST_CASE("one displaced edge a neighborhood is always untangled", "[improve][pr
   }
 }
 
-TEST_CASE("of elements tangled by displacing every inner control point few are left, and they are named",
+TEST_CASE("where displacing every inner control point tangles elements, at most 5 percent are left, and they are named",
           "[improve][property]") {
   const int degree = GENERATE(2, 3);
   std::size_t tangled = 0, left = 0;
@@ -171,11 +174,11 @@ TEST_CASE("of elements tangled by displacing every inner control point few are l
   CHECK(left * 20 <= tangled);
 }
 
-TEST_CASE("the option to split mends what curves spoil, by knots alone", "[improve]") {
-  const int degree = GENERATE(2, 3);  // a closed curve has at least as many control points
+TEST_CASE("with the option to split, knots alone mend elements that a curve bends too much", "[improve]") {
+  const int degree = GENERATE(2, 3);  // no higher: a closed curve of 3 spans has 3 control points
   Mesh mesh(samples::disk(degree, 3));
   const BSpline was = mesh.spline(0);
-  SmoothOptions options;  // a span turns by 120 degrees, and 90 are allowed
+  SmoothOptions options;  // allow a span to turn by 90 degrees; each of these turns by 120
   Mesh without = mesh;
   const SmoothOutcome listed = smooth_curves(without, options);
   CHECK(listed.unmended.size() == 3);
@@ -194,7 +197,7 @@ TEST_CASE("the option to split mends what curves spoil, by knots alone", "[impro
   check_left(mesh);
 }
 
-TEST_CASE("splits that would lower the least shape are not made, and told apart", "[improve]") {
+TEST_CASE("splits that would lower the least shape are not made, and the reason says so", "[improve]") {
   const int degree = GENERATE(2, 3, 4);
   Mesh mesh(samples::disk(degree, 8));  // sectors of 45 degrees: halves are thinner
   SmoothOptions options;

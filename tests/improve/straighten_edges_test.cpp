@@ -1,4 +1,4 @@
-// tests/improve/straighten_edges_test.cpp: inner edges are straight afterwards, or cannot be.
+// tests/improve/straighten_edges_test.cpp: straighten_edges leaves no inner edge curved that can be straight.
 #include "pliant/improve/smoothing/straighten_edges.h"
 
 #include <catch2/catch.hpp>

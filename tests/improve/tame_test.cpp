@@ -1,4 +1,5 @@
-// tests/improve/tame_test.cpp: valid elements under straight triangles that are turned over, by a map that is known.
+// tests/improve/tame_test.cpp: a known map makes valid elements whose straight triangles are turned over; taming mends
+// them.
 #include "pliant/improve/refining/tame.h"
 
 #include <catch2/catch.hpp>
@@ -71,7 +72,7 @@ std::vector<TriangleId> find_turned_over(const Mesh& mesh) {
 
 }  // namespace
 
-TEST_CASE("what is turned over is cut, straightened and flipped until every straight triangle is positive",
+TEST_CASE("triangles that are turned over are cut, straightened and flipped until none is, but in narrow wedges",
           "[improve][property]") {
   const int degree = GENERATE(2, 3, 4);
   const double shear = GENERATE(3.0, 6.0, 12.0);
@@ -86,8 +87,8 @@ TEST_CASE("what is turned over is cut, straightened and flipped until every stra
   const TameCounts counts = Tamer(mesh, refit, flips).tame(turned_over, 100000);
   mesh.compact();
   CHECK(counts.left == 0);
-  if (shear > 5) CHECK(counts.splits + counts.curve_splits > 0);  // else flips suffice
-  const SharpCorners corners(mesh);  // the shear makes some of the square's; narrow wedges are for refinement
+  if (shear > 5) CHECK(counts.splits + counts.curve_splits > 0);  // at less shear flips suffice
+  const SharpCorners corners(mesh);  // the shear makes corners of the square sharp; refinement mends narrow wedges
   for (const TriangleId t : find_turned_over(mesh)) {
     bool is_in_wedge = false;
     for (int c = 0; c < 3; ++c)
@@ -109,14 +110,14 @@ TEST_CASE("no more triangles are made than allowed", "[improve]") {
   CHECK(mesh.triangle_count() <= 27);  // the last cut may make two
 }
 
-TEST_CASE("a fan of edges that bend round each other is straightened at once, and alone none can be", "[improve]") {
+TEST_CASE("a bent edge is straightened together with those that are in its way", "[improve]") {
   const int degree = GENERATE(2, 3);
   Mesh mesh = sheared_grid(degree, 4, 0.4);
-  const auto bends = [](const Mesh& of, HalfEdgeId h) {
-    const Point &a = of.point(of.origin(h)), &b = of.point(of.target(h));
+  const auto bends = [](const Mesh& m, HalfEdgeId h) {
+    const Point &a = m.point(m.origin(h)), &b = m.point(m.target(h));
     double off = 0;
-    for (int k = 1; k < of.degree(); ++k)
-      off = std::max(off, distance(of.point(of.edge_point(h, k)), a + (double(k) / of.degree()) * (b - a)));
+    for (int k = 1; k < m.degree(); ++k)
+      off = std::max(off, distance(m.point(m.edge_point(h, k)), a + (double(k) / m.degree()) * (b - a)));
     return off > 1e-9;
   };
   REQUIRE(find_turned_over(mesh).empty());

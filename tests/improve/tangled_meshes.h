@@ -1,4 +1,4 @@
-// tests/improve/tangled_meshes.h: meshes of many kinds that are too curved, or tangled, by a seed.
+// tests/improve/tangled_meshes.h: random meshes of many kinds that are too curved or tangled.
 #pragma once
 #include <catch2/catch.hpp>
 #include <fstream>
@@ -21,21 +21,22 @@ inline Mesh refined(const Sample& sample, int degree, int elements) {
   return mesh;
 }
 
-/// Moves the points that are on no curve: `where` of a point says by what.
-template <class Where>
-MeshData moved(const Mesh& mesh, bool vertices, const Where& where) {
+/// Moves each point that is on no curve by `push` at the point; vertices only if `vertices`.
+template <class Push>
+MeshData moved(const Mesh& mesh, bool vertices, const Push& push) {
   MeshData data = mesh.to_data();
   std::vector<char> on_curve(data.points.size(), 0);
   for (const HalfEdgeId h : mesh.half_edges())
     if (mesh.is_constrained(h))
       for (int k = 0; k <= mesh.degree(); ++k) on_curve[static_cast<std::size_t>(mesh.edge_point(h, k))] = 1;
   for (std::size_t p = 0; p < data.points.size(); ++p)
-    if (!on_curve[p] && (vertices || !mesh.is_vertex(static_cast<PointId>(p)))) data.points[p] += where(data.points[p]);
+    if (!on_curve[p] && (vertices || !mesh.is_vertex(static_cast<PointId>(p)))) data.points[p] += push(data.points[p]);
   return data;
 }
 
-/// Without fields or with two (improve_meshes.h), of some 20 to 120 elements, moved by noise, a shear or a swirl of
-/// random strength, with or without the vertices; from refined boundaries, grids, scattered points or many operations.
+/// A mesh of some 20 to 120 elements, made from a refined boundary, a grid, scattered points or many operations. Its
+/// points, with or without the vertices, were moved by noise, a shear or a swirl of random strength. It has no fields
+/// or the two of improve_meshes.h.
 struct Tangled {
   std::string name;
   Mesh mesh;
@@ -85,7 +86,7 @@ inline Tangled tangled(int degree, std::uint64_t seed) {
   return made;
 }
 
-/// The mesh of a file of Gmsh's in tests/improve.
+/// The mesh in a file that Gmsh wrote, in tests/improve.
 inline Mesh mesh_of_gmsh(const std::string& name) {
   std::ifstream file(PLIANT_GMSH_MESHES "/" + name, std::ios::binary);
   REQUIRE(file);

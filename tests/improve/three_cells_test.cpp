@@ -1,5 +1,5 @@
-// tests/improve/three_cells_test.cpp: The sample `three-cells` carried past its obstacle for some steps, each with all
-// passes, the checker after each.
+// tests/improve/three_cells_test.cpp: the cells of the sample `three-cells` pass their obstacle for some steps; the
+// mesh is checked after every pass.
 #include <catch2/catch.hpp>
 #include <fstream>
 #include <iterator>
@@ -24,7 +24,7 @@ BoundaryComplex three_cells() {
   return boundary;
 }
 
-/// What the tools do by default in a step.
+/// The passes of a step as in the sample: the defaults of the tools, and `coarsen --keep-area`.
 void repair(Mesh& mesh) {
   enforce_delaunay(mesh);
   check_left(mesh);
@@ -47,7 +47,7 @@ void repair(Mesh& mesh) {
 
 TEST_CASE("three cells pass the checker after every pass of every step", "[improve]") {
   const int degree = GENERATE(2, 3);
-  const double start = GENERATE(0.0, 3.2);  // where they are stretched most: reached in long steps of the flow alone
+  const double start = GENERATE(0.0, 3.2);  // 3.2: when the cells are stretched most, reached in longer steps
   CAPTURE(degree, start);
   const VelocityField flow = make_flow("cylinder", {{"radius", 1.0}, {"speed", 1.0}});
   Mesh mesh;

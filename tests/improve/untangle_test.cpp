@@ -66,7 +66,7 @@ void check_boundary_kept(const Mesh& mesh, const Mesh& was) {
 
 }  // namespace
 
-TEST_CASE("what a vortex has tangled gets valid: by edges, and where it moved vertices too far by vertices or flips",
+TEST_CASE("what a vortex has tangled becomes valid where vertices may move; without, what stays invalid is named",
           "[improve]") {
   const int degree = GENERATE(1, 2, 3, 4);
   const double angle = 3.3;
@@ -96,7 +96,7 @@ TEST_CASE("what a vortex has tangled gets valid: by edges, and where it moved ve
     CHECK(std::any_of(outcome.unmended.begin(), outcome.unmended.end(), [t](const auto& e) { return e.element == t; }));
 }
 
-TEST_CASE("no sweep makes the worst element worse: the sorted excesses fall lexicographically", "[improve][property]") {
+TEST_CASE("no sweep makes the worst element worse, or more elements tangled", "[improve][property]") {
   const int degree = GENERATE(2, 3, 4);
   const bool vertices = GENERATE(false, true);
   Mesh mesh = stirred(degree, degree < 3 ? 8 : 6, 4.2);
@@ -109,7 +109,8 @@ TEST_CASE("no sweep makes the worst element worse: the sorted excesses fall lexi
     const SmoothOutcome outcome = smooth_curves(mesh, options);
     const std::vector<double> now = sorted_excesses(mesh);
     CAPTURE(degree, vertices, sweep);
-    CHECK(now.front() <= std::max(1.0, before.front()));  // what is fine may become a little less so
+    CHECK(now.front() <=
+          std::max(1.0, before.front()));  // a good element may become worse, as long as it stays within the bounds
     const auto count_tangled = [](const std::vector<double>& all) {
       return std::count_if(all.begin(), all.end(), [](double e) { return e >= tangled_excess; });
     };
@@ -126,7 +127,7 @@ TEST_CASE("smoothing carries fields: linear functions stay themselves, integrals
   const double angle = GENERATE(2.1, 3.3);
   Mesh mesh = stirred(degree, angle < 3 ? 10 : 6, angle);
   REQUIRE(find_invalid(mesh).empty() == (angle < 3));
-  // Field 0 anew: linear in the points where the vortex has put them.
+  // Field 0 becomes the linear function of the places to which the vortex has moved the points.
   MeshData data = mesh.to_data();
   for (std::size_t p = 0; p < data.points.size(); ++p)
     data.fields[0].values[p] = data.points[p].x + 2 * data.points[p].y - 3;
@@ -172,7 +173,8 @@ TEST_CASE("the control mesh's measure is an option, and leaves valid what was va
   CHECK(sorted_excesses(mesh).front() <= std::max(1.0, before));
 }
 
-TEST_CASE("why an element stays as it is, is told with what would help", "[improve]") {
+TEST_CASE("the reason why an element stays invalid is told, with the options that would help if there are any",
+          "[improve]") {
   Mesh mesh = stirred(1, 8, 4);
   REQUIRE(count_turned_over(mesh) > 0);
   const SmoothOutcome outcome = smooth_curves(mesh);

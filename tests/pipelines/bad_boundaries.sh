@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Each fault that a boundary can have ends with status 3 and a message that names file, curves, parameters, coordinates
+# Each kind of fault in a boundary ends with status 3 and a message that names file, curves, parameters, coordinates
 # and what would be right; what is unusual but sound is meshed.
 . "${BASH_SOURCE%/*}/common.bash"
 has_tool bspline2mesh || exit 77

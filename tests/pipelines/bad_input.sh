@@ -74,6 +74,15 @@ if has_tool bspline2mesh; then
   run 3 bspline2mesh </dev/null
 fi
 
+# A mesh is told to be one by the tools that read none, which the message names, and by no other.
+for tool in "${built[@]}"; do
+  "$tool" disk.json >out 2>err
+  case $tool in
+    bspline2mesh | import-*) says 'this is a mesh, which all tools but bspline2mesh and import-* read' ;;
+    *) ! grep -qF 'this is a mesh' err || fail "$tool reads no mesh, but the message says that it does: $(cat err)" ;;
+  esac
+done
+
 # A tangled mesh: refused with the count, the first elements and what helps, or taken.
 for tool in "${mesh_filters[@]}"; do
   if [ "$tool" = smoothcurves ]; then continue; fi

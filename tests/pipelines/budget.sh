@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# How many triangles: few where curves come close, a word before there are very many, and an end where they are too many.
+# The number of triangles is low where curves come close. A warning comes before there are very many, and status 4 where
+# they are too many.
 . "$(dirname "${BASH_SOURCE[0]}")/common.bash"
 cases=$SOURCE/tests/pipelines/cases
 triangles() { python3 -c 'import json, sys; print(len(json.load(open(sys.argv[1]))["triangle_faces"]))' "$1"; }
@@ -49,14 +50,14 @@ for size in -1 0 0/0 'x-5' 'sqrt(x-9)'; do
   says "should be above zero"
   no_output
 done
-# Memory that runs out is no result.
+# Memory that runs out is status 4.
 if (ulimit -v 400000 && refine --max-area 1e-1 disk.json >out 2>err); then
   (ulimit -v 400000; exec refine --max-area 1e-6 disk.json) >out 2>err
   (($? == 4)) || fail "out of memory: status $? ($(head -c 300 err))"
   says "more memory than there is"
 fi
 
-# Refinement settles at once, also where curves and a greater angle had it go on for ever.
+# A second refinement does nothing, also on the meshes where curves or a greater angle once made it go on for ever.
 for name in cascade:28:0.02 refine-left:20.7:0.016341; do
   IFS=: read -r file angle area <<<"$name"
   run 0 refine --min-angle "$angle" --max-area "$area" -o first.json "$cases/$file.json"

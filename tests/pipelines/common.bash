@@ -1,5 +1,6 @@
 # Sourced by each case: checks that count, a scratch directory, sample documents, and what each tool needs to run.
-# The environment holds TOOLS (the names of all), PATH with them and with `passthrough` and `sample_mesh`, and SOURCE.
+# The environment holds TOOLS (the names of all tools), PATH with them and with the programs of this folder, and SOURCE
+# (the root of the repository).
 set -uo pipefail
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
@@ -29,15 +30,17 @@ no_output() { [ ! -s out ] || fail "expected no output: $(head -c 100 out)"; }
 # same A B: the files hold the same bytes.
 same() { cmp -s "$1" "$2" || fail "$1 and $2 differ"; }
 
-# Of a build of some targets only, test those.
+# The tools that are tested: those that were built.
 built=()
 for tool in $TOOLS; do
   if command -v "$tool" >/dev/null; then built+=("$tool"); else echo "$tool is not built" >&2; fi
 done
 has_tool() { [[ " ${built[*]} " == *" $1 "* ]]; }
-# Tools that read meshes and write meshes, of those that were built, and the test's own.
+# The tools that run a stage, so that each reads meshes and writes meshes: the test's own, and all that were built.
 mesh_filters=(passthrough)
-for tool in advect flipdelaunay refine coarsen smoothcurves; do
+mapfile -t stages < <(stage_names)
+((${#stages[@]} > 0)) || { echo "stage_names names no stage" >&2; exit 1; }
+for tool in "${stages[@]}"; do
   if has_tool "$tool"; then mesh_filters+=("$tool"); fi
 done
 # What a tool must be told beside its input, one word a line.

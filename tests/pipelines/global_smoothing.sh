@@ -3,7 +3,7 @@
 . "${BASH_SOURCE%/*}/common.bash"
 has_tool smoothcurves || exit 77
 
-# The build without: a clear refusal, and everything else.
+# The build without Ceres refuses --global with a clear message, and does everything else.
 run 2 smoothcurves_without_ceres --global disk.json
 no_output
 says 'built without the global smoother'
@@ -28,12 +28,13 @@ for option in '--split' '--flips' '--measure control' '--max-sweeps 3' '--max-tu
   says '--global'
 done
 
-# Nothing is poor: byte for byte the same.
+# A mesh without poor elements stays the same byte for byte.
 run 0 smoothcurves --global --good 0.01 disk.json
 silent
 same out disk.json
 
-# A push that was too long, with edges alone and with vertices; the boundary of the disk stays valid.
+# A step that was too long is mended by edges alone, and with vertices. (The step leaves the boundary of the disk in
+# order.)
 for tool in advect qualityreport refine; do has_tool "$tool" || exit 77; done
 refine --max-area 0.01 disk.json >fine.json
 flow='max(0,1-x^2-y^2)^2*0.06'
@@ -48,7 +49,7 @@ run 0 smoothcurves --global --vertices far.json
 cp out smooth.json
 run 0 qualityreport --fail-if 'invalid > 0' smooth.json
 
-# Elements are left, and --global would have done better: it is said, by -v and in the report, and it is so.
+# Where --global would have done better, -v and the report say so, with figures that --global then reaches.
 flow='max(0,1-x^2-y^2)*0.12'
 advect --vx="-($flow)*cos(10*x)*sin(10*y)" --vy="($flow)*sin(10*x)*cos(10*y)" --dt 1 --force fine.json >bent.json 2>/dev/null
 smoothcurves -v --report report.json -o local.json bent.json 2>err || fail 'the bent mesh'
@@ -62,7 +63,7 @@ import json, sys
 print("%.4g" % json.load(sys.stdin)["scaled_jacobian"]["min"])')" = "$said" ] || fail "--global does not reach $said"
 smoothcurves_without_ceres -v -o absent.json bent.json 2>err
 if grep -q -e --global err; then fail 'a build without the global smoother recommends it'; fi
-# Nothing is left: nothing is said.
+# Where nothing is left to do, nothing is said of --global.
 smoothcurves -v -o absent.json disk.json 2>err
 if grep -q -e --global err; then fail 'advice where nothing is left'; fi
 

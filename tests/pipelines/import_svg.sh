@@ -33,7 +33,7 @@ for drawing in cells letter heart; do
   done
 done
 
-# Files and pipes, the same bytes; what is not read is said once.
+# Files and pipes give the same bytes, and what is not read is said once.
 run 0 import-svg cells.svg
 says 'import-svg: cells.svg: strokes are not read (line 2)'
 cp out cells.json

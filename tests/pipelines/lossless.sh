@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# A mesh that goes through pipes is the same byte for byte.
+# A mesh that goes through pipes stays the same byte for byte.
 . "${BASH_SOURCE%/*}/common.bash"
 
 for degree in 1 2 3 4 5; do
@@ -26,7 +26,7 @@ a, b = (json.load(open(name)) for name in sys.argv[1:])
 sys.exit(a != b)
 PYTHON
 
-# Nothing to do leaves the mesh as it is.
+# A tool that has nothing to do leaves the mesh as it is.
 if has_tool advect; then
   run 0 advect --dt 0.1 --until 0 --vx 1 --vy y disk.json
   same out disk.json

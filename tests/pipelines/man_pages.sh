@@ -13,6 +13,14 @@ for tool in "${built[@]}"; do
   while IFS= read -r option; do
     grep -qE -- "(^|[^-[:alnum:]])$option([^-[:alnum:]]|\$)" text || fail "man/$tool.1 does not name $option"
   done <options
+  # The options that the page lists, on lines such as `.It Fl o , -output Ar FILE`.
+  awk '/^\.It Fl/ {
+    for (i = 3; i <= NF && ($i == "Fl" || $i !~ /^[A-Z]/); ++i) if ($i != "," && $i != "Fl") print "-" $i
+  }' "$page" >listed
+  grep -q . listed || fail "man/$tool.1 lists no option"
+  while IFS= read -r option; do
+    grep -qxF -e "$option" options || fail "man/$tool.1 lists $option, which $tool --help does not name"
+  done <listed
 done
 for page in "$SOURCE"/man/*.[0-9]; do
   mandoc -T lint -W warning "$page" >lint || fail "${page##*/}: $(head -n 3 lint)"

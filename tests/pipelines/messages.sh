@@ -98,7 +98,8 @@ line=$(grep -oE '^passthrough: bad.json:[0-9]+' err | head -n 1 | grep -oE '[0-9
 ((${line:-0} > 3)) || fail "a structural fault names its own line: $(cat err)"
 says '(column '
 
-# A member that nobody asked for is kept, and told where its name is near to one that is missing; of criteria always.
+# A member that no tool knows is kept. A warning names it if its name is near to that of a missing member; in `criteria`
+# every such member is named.
 cat >misspell.py <<'PYTHON'
 import json
 import sys
@@ -131,7 +132,7 @@ line=$(grep -n '"max_arae"' bad.json | cut -d : -f 1)
 says "passthrough: bad.json:$line: frame 0: /criteria/max_arae"
 run 0 passthrough -q bad.json
 [ ! -s err ] || fail "-q silences warnings: $(cat err)"
-# Once a run, however many frames and curves have it.
+# A warning comes once a run, however many frames and curves have the member.
 python3 - <<'PYTHON'
 import json
 mesh = json.load(open("bad.json"))

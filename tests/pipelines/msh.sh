@@ -63,7 +63,7 @@ run 2 import-msh --field u= square.msh
 run 2 import-msh --time soon square.msh
 run 2 import-msh -q --field u@nowhere=1 square.msh
 
-# The report of the file is that of the document, from a file or a pipe.
+# qualityreport says of an MSH file what it says of its document, from a file or a pipe.
 if has_tool qualityreport; then
   run 0 qualityreport -q --format json square.json
   cp out expected
@@ -75,7 +75,7 @@ if has_tool qualityreport; then
   says 'square.msh: frame 0: triangles < 3: it is 2'
 fi
 
-# Clockwise: counted, and turned on request.
+# Clockwise triangles are counted, and turned on request.
 sed -e 's/ 1 2 3 5 6 9$/ 1 3 2 9 6 5/' -e 's/ 1 3 4 9 7 8$/ 1 4 3 8 7 9/' square.msh >clockwise.msh
 run 0 import-msh clockwise.msh
 says '2 of 2 triangles run clockwise (first: element 13); import-msh --orient turns whole parts that do'
@@ -86,7 +86,7 @@ if has_tool qualityreport; then
   run 0 bash -c 'import-msh -q --orient clockwise.msh | qualityreport --fail-if "invalid > 0"'
 fi
 
-# Triangles that do not fit together: audited, but no document.
+# Triangles that do not fit together are audited, but make no document.
 sed -e 's/^14 9 2 2 2 1 3 4/14 9 2 2 2 3 1 4/' square.msh >unfit.msh
 run 3 import-msh unfit.msh
 no_output
@@ -122,7 +122,7 @@ says 'import-msh: standard input:1: the input is empty'
 run 3 import-msh -o never.json short.msh
 [ ! -e never.json ] || fail "a failure leaves a file"
 
-# And back: the same mesh, of every kind, from a file or a pipe.
+# A mesh is exported in every format, from a file or a pipe, and imported again.
 if has_tool export-msh; then
   for format in msh41 msh22; do
     for binary in '' --binary; do

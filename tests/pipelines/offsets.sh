@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Every tool reads what every tool writes, wherever the mesh lies: up to 1e9 widths from the origin.
+# The tools of a step read what those before them write, wherever the mesh lies, up to 1e9 widths from the origin.
 . "${BASH_SOURCE%/*}/common.bash"
 for tool in bspline2mesh advect flipdelaunay refine coarsen smoothcurves qualityreport; do has_tool "$tool" || exit 77; done
 
@@ -30,7 +30,7 @@ through crescent 4 1e6
 through cell 5 1e9
 through annulus 5 1e6
 
-# What moves with the mesh stays what it is: a linear field, to a few units in the last place of the coordinates.
+# A linear field stays linear while the mesh moves, to a few units in the last place of the coordinates.
 sample_boundary interface 2 1e9 | bspline2mesh -q --max-area 0.1 --field 'u=(x-4123105625)-2*(y-2061552812)' |
   refine -q --max-area 0.03 | coarsen -q --factor 2 --max-area 0.3 | smoothcurves -q --vertices >linear.json
 python3 - linear.json <<'PYTHON' || fail "a linear field did not stay linear"

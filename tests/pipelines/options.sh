@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# What is wrong with the value of an option, or with what a document has to offer for it, is said: each message of it once.
+# A wrong value of an option, or a document that lacks what the option needs, is refused with a message. Each message
+# comes here once.
 . "${BASH_SOURCE%/*}/common.bash"
 
 # refuses STATUS TEXT COMMAND...: the command ends with this status, writes nothing, and says this.

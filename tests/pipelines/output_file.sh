@@ -24,13 +24,13 @@ for tool in "${mesh_filters[@]}"; do
   only mesh.json
 done
 
-# In place.
+# A file may be input and output at once.
 cp series.jsonl results/mesh.json
 run 0 passthrough results/mesh.json -o results/mesh.json
 same results/mesh.json series.jsonl
 only mesh.json
 
-# Permissions are those of a new file, or of the file that was there; a link stays a link.
+# A new file has the permissions that the shell gives one; a file that was there keeps its own. A link stays a link.
 rm results/*
 (umask 027 && passthrough disk.json -o results/mesh.json)
 [ "$(stat -c %a results/mesh.json)" = 640 ] || fail "permissions of a new file: $(stat -c %a results/mesh.json)"

@@ -27,20 +27,21 @@ drawings 'screen.endswith("\r\033[K")'
 passthrough disk.json >plain.json
 same out.json plain.json
 
-# Narrow terminals, and frames.
+# On a narrow terminal the line is shorter; in a series it counts frames.
 on_terminal 25 'passthrough --naps 12 disk.json -o out.json'
 drawings 'lines and all(len(line) == 24 and "[" not in line for line in lines)'
 on_terminal 80 'passthrough --naps 4 series.jsonl >out.jsonl'
 drawings 'any("2 frames, sleep [" in line for line in lines)'
 drawings 'screen.endswith("\r\033[K")'
 
-# Messages keep clear of it.
+# Messages begin on a line that was erased.
 on_terminal 80 'passthrough -v --naps 13 disk.json -o out.json'
 drawings '"\r\033[Kpassthrough: frame 0, time 0: " in screen'
 on_terminal 80 'passthrough --naps 12 --stop-at 2 series.jsonl -o out.jsonl' && fail "a failure is lost on a terminal"
 drawings '"\r\033[Kpassthrough: series.jsonl: frame 2: told to stop" in screen'
 
-# Not for short runs, on a dumb terminal, with -q, where the document goes to the same terminal, or elsewhere.
+# There is no progress line for short runs, on a dumb terminal, with -q, where the document goes to the same terminal, or
+# where messages go to no terminal.
 on_terminal 80 'passthrough disk.json -o out.json'
 drawings 'screen == ""'
 on_terminal 80 'TERM=dumb passthrough --naps 12 disk.json -o out.json'

@@ -68,6 +68,48 @@ PYTHON
   done
 fi
 
+# documented TOOL REPORT [PAGE...]: the man page of the tool, or a page that it refers to, names each value of the
+# reports; and the list of values in its section REPORT holds none that no report has.
+documented() {
+  python3 - "$SOURCE/man" "$@" <<'PYTHON' || fail "man/$1.1 and the values in reports of $1 differ"
+import json, pathlib, re, sys
+folder, tool, report, *others = sys.argv[1:]
+page = (pathlib.Path(folder) / f"{tool}.1").read_text()
+pages = page + "".join((pathlib.Path(folder) / f"{name}.1").read_text() for name in others)
+named = set(re.findall(r"^\.(?:It )?Va (\w+)", pages, re.MULTILINE))
+section = page.split(".Sh REPORT\n")[1].split("\n.Sh ")[0] if ".Sh REPORT\n" in page else ""
+entries = set(re.findall(r"^\.It Va (\w+)", section, re.MULTILINE))
+values = {name for line in open(report) for name in json.loads(line)["values"]}
+assert values, "no report"
+for fault, names in ("not documented", values - named), ("in no report", entries - values):
+    if names:
+        sys.exit(f"{tool}: {fault}: {', '.join(sorted(names))}")
+PYTHON
+}
+for tool in "${stages[@]}"; do
+  if ! has_tool "$tool"; then continue; fi
+  case $tool in  # options that add values
+    advect) more=(--keep-area) ;;
+    smoothcurves) more=(--global) ;;  # refused by a build without Ceres
+    *) more=() ;;
+  esac
+  filter "$tool" three.json --report report.jsonl >/dev/null
+  filter "$tool" "${more[@]}" three.json --report more.jsonl >/dev/null 2>err && cat more.jsonl >>report.jsonl
+  documented "$tool" report.jsonl
+done
+if has_tool bspline2mesh; then
+  bspline2mesh --resolve "$SOURCE/samples/examples/overlapping.json" --report report.jsonl >/dev/null
+  documented bspline2mesh report.jsonl refine
+fi
+if has_tool import-msh; then
+  import-msh -q "$SOURCE/samples/examples/bad.msh" --report report.jsonl >/dev/null
+  documented import-msh report.jsonl
+fi
+if has_tool import-svg; then
+  import-svg --planar "$SOURCE/samples/examples/drawing.svg" --report report.jsonl >/dev/null
+  documented import-svg report.jsonl
+fi
+
 # Frames that were done before a failure are reported.
 run 4 passthrough --stop-at 2 series.jsonl --report report.jsonl
 (($(wc -l <report.jsonl) == 2)) || fail "the report should have the two frames that were done"

@@ -59,13 +59,13 @@ says "nothing is left of face 'small'"
 mv out mesh.json
 run 0 sound mesh.json
 
-# What does not cross is meshed as without the option.
+# Curves that do not cross are meshed the same with the option and without.
 run 0 bspline2mesh apart.json
 cp out plain.json
 run 0 bspline2mesh --resolve apart.json
 same out plain.json
 
-# Where a curve stops, at a cusp of its own, it is cut: a mesh only with the option.
+# A curve that stops inside, at a cusp, is meshed only with the option, which cuts it there.
 run 3 bspline2mesh stops.json
 says "curve 'cusped' (0) at parameter"
 says 'derivative vanishes at'

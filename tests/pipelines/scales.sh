@@ -1,11 +1,12 @@
 #!/usr/bin/env bash
-# A boundary times a power of two gives the same mesh times it, bit for bit, through every tool; beyond, status 3.
+# Tools give, for a boundary times a power of two, the same mesh times that power, bit for bit. Powers out of range are
+# status 3.
 . "${BASH_SOURCE%/*}/common.bash"
 for tool in bspline2mesh advect flipdelaunay refine coarsen smoothcurves qualityreport import-msh export-msh; do
   has_tool "$tool" || exit 77
 done
 
-# times EXPONENT POWER NUMBER...: each times that power of 2^EXPONENT.
+# times EXPONENT POWER NUMBER...: each number, times that power of 2^EXPONENT.
 times() { python3 -c 'import math, sys; print(*(repr(math.ldexp(float(x), int(sys.argv[1]) * int(sys.argv[2]))) for x in sys.argv[3:]))' "$@"; }
 
 # through NAME DEGREE EXPONENT: all tools' documents, one a line, in NAME.EXPONENT; the report in NAME.EXPONENT.report.
@@ -52,7 +53,7 @@ def scaled(mesh):
     return mesh
 for one, other in zip(open(f"{name}.0"), open(f"{name}.{exponent}"), strict=True):
     one, other = scaled(json.loads(one)), json.loads(other)
-    one["criteria"].pop("size", None), other["criteria"].pop("size", None)  # texts
+    one["criteria"].pop("size", None), other["criteria"].pop("size", None)  # expressions, which do not scale
     if one != other:
         sys.exit("differs in " + ", ".join(key for key in one if one[key] != other[key]))
 one, other = (json.load(open(f"{name}.{k}.report")) for k in (0, exponent))
@@ -85,7 +86,7 @@ assert one["triangles"] == other["triangles"]
 PYTHON
 done
 
-# Out of range: a word with the bounds, and nothing else.
+# Out of range: one message with the bounds.
 for exponent in -520 520 1000; do
   sample_boundary square 1 0 "$exponent" >b.json
   run 3 bspline2mesh b.json

@@ -42,7 +42,7 @@ qualityreport --fail-if 'faults > 0' smooth.json >/dev/null || fail 'regions mes
 grep -Eq '"patches_remeshed": ?[1-9]' report.json || fail "no region was meshed anew: $(cat report.json)"
 grep -q 'elements invalid: .* were replaced by .* new ones' report.json || fail 'nothing is said of regions meshed anew'
 
-# Vertices that a vortex has moved across edges are moved back, asked for or not.
+# A mesh whose vertices a vortex has moved across edges becomes valid, without options and with them.
 stir 5 >far.json
 [ "$(invalid far.json)" -gt 0 ] || fail 'the wide vortex tangles nothing'
 run 0 smoothcurves -o smooth.json far.json
@@ -57,7 +57,7 @@ for options in '--vertices' '--vertices --flips' '--vertices --flips --split' '-
   qualityreport --fail-if 'faults > 0' smooth.json >/dev/null || fail "$options leaves faults"
 done
 
-# The report has the counts and, of what stays too curved, the places.
+# The report has the counts, and the places of elements that stay too curved.
 run 0 smoothcurves --keep-going --report report.json -o smooth.json vortex.json
 for name in too_curved edges_smoothed vertices_moved flips splits still_curved needs_split invalid patches_remeshed; do
   grep -q "\"$name\":" report.json || fail "no $name in the report"

@@ -3,7 +3,7 @@ import math
 
 
 def product_table(p, q):
-    """For Bernstein triangles: (i, j, weight) so that the integral of a product is the weighted sum of f_i g_j."""
+    """Triples (i, j, weight): the integral of a product of two Bernstein triangles is the weighted sum of f_i g_j."""
     def indices(n):
         return [(a, b, n - a - b) for a in range(n, -1, -1) for b in range(n - a, -1, -1)]
 
@@ -33,7 +33,7 @@ def document_order(p):
 
 
 def integrals(mesh):
-    """Of each component of each field on each face: the integral of f and of |f| (by elements)."""
+    """For each component of each field on each face, the integrals of f and of |f| (a bound, element by element)."""
     p, points = mesh["degree"], mesh["points"]
     order = document_order(p)
     size = len(order)

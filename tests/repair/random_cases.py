@@ -57,7 +57,7 @@ def make_case(seed, most_triangles):
         boundary = polygon_domain([(0, 0), (size[0], 0), size, (0, size[1])], 1)
         centre, room, area = (size[0] / 2, 1.5), 1.35, size[0] * size[1]
     interfaces = r.choice([0, 1, 1, 2])
-    for k in range(interfaces):  # one in the other
+    for k in range(interfaces):  # each lies in the one before
         radius = room * 0.55 * 0.55 ** k
         count = r.randint(max(8, curve_degree + 2), 20) if degree > 1 else 24
         boundary["faces"].append({"name": f"cell{k}"})
@@ -104,7 +104,7 @@ def make_case(seed, most_triangles):
 
 
 def shrink_inner(document):
-    """Makes the inner one of two membranes smaller, as it may cross the outer one; whether there is one."""
+    """Makes the inner one of two membranes smaller, since it may cross the outer one. Returns whether there are two."""
     for curve in document["curves"]:
         if curve["name"] == "membrane 1":
             x, y = curve["points"][::2], curve["points"][1::2]

@@ -22,7 +22,7 @@ from field_integrals import document_order, integrals
 from random_cases import closed_spline, polygon_domain
 from repair_cases import Tools
 
-RADIUS_SQUARED = 1.44  # of the vortex
+RADIUS_SQUARED = 1.44  # the square of the radius of the vortex, beyond which nothing moves
 FLOW = ["--vx", f"-(y-1.5)*max(0,1-((x-1.5)^2+(y-1.5)^2)/{RADIUS_SQUARED})^2",
         "--vy", f"(x-1.5)*max(0,1-((x-1.5)^2+(y-1.5)^2)/{RADIUS_SQUARED})^2"]
 FIELD = "u=exp(-8*((x-1.9)^2+(y-1.5)^2))+0.3"
@@ -81,7 +81,7 @@ class Basis:
 
 
 def inverse(matrix):
-    """Gauss and Jordan with pivots."""
+    """The inverse of a matrix, by Gauss-Jordan elimination with pivots."""
     n = len(matrix)
     rows = [list(row) + [float(i == k) for k in range(n)] for i, row in enumerate(matrix)]
     for c in range(n):
@@ -100,7 +100,7 @@ def dot(a, b):
 
 
 def elements(mesh, basis):
-    """Of each element: indices of control points, their x, their y."""
+    """For each element, the indices of its control points, their x and their y."""
     size, flat, points = len(basis.order), mesh["triangles"], mesh["points"]
     for t in range(len(mesh["triangle_faces"])):
         ids = flat[t * size:(t + 1) * size]
@@ -193,7 +193,8 @@ def gauss(n):
 
 
 def relative_error(mesh, field, basis, t):
-    """Of control values, in the L2 norm, by 6 times 6 Gauss points on each element, which are exact up to degree 10."""
+    """The L2 norm of the error of a field, relative to that of the field, by 6 x 6 Gauss points on each element. The rule is
+    exact for polynomials up to degree 10."""
     rule, error, norm = gauss(6), [], []
     table = [(a, b * (1 - a), f * g * (1 - a)) for a, f in rule for b, g in rule]
     table = [(v, w, weight, basis.values(v, w)) for v, w, weight in table]

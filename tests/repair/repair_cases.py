@@ -24,7 +24,7 @@ from random_cases import make_case, shrink_inner
 
 PIPE = [["smoothcurves"], ["flipdelaunay"], ["refine"], ["coarsen", "--tolerance", "0"], ["smoothcurves"]]
 MOST_STEPS = 60
-FORCED = 2  # so many steps are forced as one with --tangled
+FORCED = 2  # with --tangled, this many steps are forced as one
 REFUSED = 4  # the status of a step that would invert an element
 NO_END = -1  # the status of a tool that had to be stopped
 
@@ -52,7 +52,7 @@ class Tools:
 
 
 def prepare(tools, seed, folder, options):
-    """Writes moved.json and fresh.json; a word on the case, and why there is no fresh mesh, if so."""
+    """Writes moved.json and fresh.json. Returns the case in words, and why there is no fresh mesh if there is none."""
     document, mesh, flow, step, word = make_case(seed, options.most_triangles)
     boundary, moved, work = folder / "boundary.json", folder / "moved.json", folder / "work.json"
     for _ in range(6):
@@ -93,7 +93,7 @@ def least(report, metric):
 
 
 def integral_faults(before, after):
-    """Signed where elements are inverted."""
+    """Faults of the integrals that have changed. Inverted elements count with their negative areas."""
     was, now, faults = integrals(before), integrals(after), []
     for key, (value, absolute) in was.items():
         change = now.get(key, (0, 0))[0] - value
@@ -103,7 +103,7 @@ def integral_faults(before, after):
 
 
 def examine(tools, folder, times, statuses, options):
-    """A list of (kind, text) of what does not hold."""
+    """The faults of the repaired mesh, as a list of (kind, text)."""
     faults = [("status", f"{tool} ended with status {status}: {said.strip().splitlines()[-1] if said else ''}")
               for tool, status, said in statuses if status]
     if faults:

@@ -13,9 +13,11 @@ using namespace pliant::testing;
 
 namespace {
 
+/// Every stage once, with what it must be told and nothing else.
 const Pipe bare{
     {"advect", "--flow", "shear", "--dt", "0.2"}, {"flipdelaunay"}, {"refine"}, {"coarsen"}, {"smoothcurves"}};
 
+/// Every stage once, with many of its options.
 const Pipe with_options{
     {"advect", "--vx", "0.3*sin(y)*cos(t)", "--vy", "0.3*sin(2*x)+0.1*t", "--dt", "0.2", "--until", "0.5", "--substeps",
      "2", "--limit", "--keep-area"},
@@ -66,6 +68,14 @@ void check_equal(const Pipe& pipe, const std::string& document, int times) {
 }
 
 }  // namespace
+
+TEST_CASE("the pipes of these tests hold every stage", "[tools]") {
+  for (const Pipe& pipe : {bare, with_options}) {
+    std::vector<std::string> names;
+    for (const Words& words : pipe) names.push_back(words.front());
+    CHECK_THAT(names, Catch::UnorderedEquals(stage_names()));
+  }
+}
 
 TEST_CASE("stages in one process give the bytes of the pipe of their tools", "[tools]") {
   const int degree = GENERATE(1, 2, 3, 4);

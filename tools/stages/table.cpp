@@ -27,6 +27,8 @@ std::unique_ptr<Stage> make() {
   return std::make_unique<Kind>();
 }
 
+// One stage a line, in the order of a usual step; clang-format would put two on a line.
+// clang-format off
 constexpr std::array stages{
     Entry{"advect", make<AdvectStage>},
     Entry{"flipdelaunay", make<FlipDelaunayStage>},
@@ -34,6 +36,7 @@ constexpr std::array stages{
     Entry{"coarsen", make<CoarsenStage>},
     Entry{"smoothcurves", make<SmoothCurvesStage>},
 };
+// clang-format on
 
 /// The number of the first word that is this one; 0 if none is.
 std::size_t find_word(const std::vector<std::string>& words, const std::string& word) {

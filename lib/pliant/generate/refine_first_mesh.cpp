@@ -7,7 +7,9 @@
 namespace pliant {
 namespace {
 
-constexpr double straight_below = 0.05;  // inner edges become straight in the end, so flips begin with it
+// Flips during refinement lay a new edge straight if the straight place is off by less than this part of the length of
+// the longest edge: all inner edges become straight in the end, where they can.
+constexpr double straight_below = 0.05;
 
 }  // namespace
 

@@ -6,13 +6,15 @@
 
 namespace pliant {
 
-/// Smooths; where that leaves elements invalid, meshes their regions anew (remesh_invalid) and smooths again. This is
-/// what `smoothcurves` does.
+/// Smooths the mesh. If elements are still invalid, regions around them are meshed anew (remesh_invalid); if any was,
+/// the mesh is smoothed again. This is what the tool smoothcurves does without --keep-going.
 ///
-/// The report is that of both smoothings together, with the value "patches_remeshed" and a note of what was replaced.
-/// Elements may still be invalid in the end: the outcome tells which.
+/// The report counts the work of both smoothings together. Its value "patches_remeshed" is the number of regions that
+/// were meshed anew, and a note says how many elements they had before and have now. Elements may be invalid even
+/// then: the outcome tells which.
 SmoothOutcome smooth_or_remesh(Mesh& mesh, const SmoothOptions& options = {});
-/// The same with any smoother; `refit` is for the fields of regions that are meshed anew.
+
+/// The same with another smoother. `refit` says how regions that are meshed anew get the values of their fields.
 SmoothOutcome smooth_or_remesh(Mesh& mesh, const std::function<SmoothOutcome(Mesh&)>& smooth,
                                const RefitOptions& refit);
 

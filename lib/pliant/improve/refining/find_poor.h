@@ -11,10 +11,11 @@ namespace pliant {
 /// The length of the longest edge of a logical triangle.
 double longest_edge(const Mesh& mesh, TriangleId t);
 
-/// Does the triangle lie opposite a small angle between two curves? Then nothing mends it.
+/// Does the triangle lie opposite a small angle between two curves? Then no operation can give it a better shape.
 bool is_excused(const Mesh& mesh, TriangleId t, const SharpCorners& corners);
 
-/// The triangles that are poor or turned over, without those that a small angle between curves excuses.
+/// The logical triangles that are turned over or whose shape misses the goals (Attack::is_poor), without those that a
+/// small angle between curves excuses.
 /// Complexity  O(mesh)
 std::vector<TriangleId> find_poor(const Mesh& mesh, const QualityGoals& goals);
 

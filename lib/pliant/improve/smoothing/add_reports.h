@@ -4,8 +4,8 @@
 
 namespace pliant {
 
-/// Adds to the report of a second smoothing what the first one counted: its work is added, what was found at the
-/// beginning is the first one's.
+/// Makes the report of a second smoothing that of both. Values that count work become the sums of both; values that
+/// tell what was found at the beginning become those of the first; all others stay those of the second.
 void add_first_smoothing(const PassReport& first, PassReport& second);
 
 }  // namespace pliant
