@@ -5,6 +5,7 @@ import pathlib
 import re
 import subprocess
 import sys
+import tempfile
 
 try:
     import jsonschema
@@ -13,7 +14,7 @@ except ImportError:
     sys.exit(77)
 
 source = pathlib.Path(sys.argv[1])
-schemas = {name: json.loads((source / "formats" / f"{name}.schema.json").read_text()) for name in ("mesh", "boundary")}
+schemas = {name: json.loads((source / "formats" / f"{name}.schema.json").read_text()) for name in ("mesh", "boundary", "evolve_log")}
 store = {f"{name}.schema.json": schema for name, schema in schemas.items()}
 
 
@@ -35,7 +36,7 @@ for name in schemas:
     for text in re.findall(r"```json\n(.*?)```", page, re.S):
         examples[name] = json.loads(text)
         failures += [f"{name}.md: {e.json_path} {e.message}" for e in validators[name].iter_errors(examples[name])]
-assert len(examples) == 2
+assert len(examples) == 3
 if status(examples["mesh"]) != 0:
     failures.append("mesh.md: the tools refuse the example")
 
@@ -72,6 +73,29 @@ for number, edit in enumerate(edits):
         failures.append(f"the mesh schema accepts edit {number}")
     if status(document) != 3:
         failures.append(f"the reader accepts edit {number}")
+
+# The log of a simulation, and edits that its schema must see.
+with tempfile.TemporaryDirectory() as folder:
+    log = pathlib.Path(folder) / "log.jsonl"
+    start = subprocess.check_output(["sample_mesh", "three", "2"])
+    subprocess.run(["evolve", "--until", "2", "--at", "0.75", "--log", log, "-o", "/dev/null",
+                    "advect --flow cylinder:x=-3 --dt 0.5 | flipdelaunay | refine | coarsen | smoothcurves"], input=start, check=True)
+    lines = [json.loads(line) for line in log.read_text().splitlines()]
+    assert len(lines) >= 5
+    for line in lines:
+        failures += [f"evolve --log: {e.json_path} {e.message}" for e in validators["evolve_log"].iter_errors(line)]
+for number, edit in enumerate((
+        lambda d: d.pop("stages"),
+        lambda d: d.update(step=0),
+        lambda d: d.update(dt=-1),
+        lambda d: d.update(colour="red"),
+        lambda d: d["stages"][0].pop("seconds"),
+        lambda d: d["stages"][0]["values"].update(flips="3"),
+        lambda d: d["stages"][0]["refusals"].update(why=0))):
+    line = copy.deepcopy(examples["evolve_log"])
+    edit(line)
+    if validators["evolve_log"].is_valid(line):
+        failures.append(f"the schema of the log accepts edit {number}")
 
 print("\n".join(failures))
 sys.exit(1 if failures else 0)

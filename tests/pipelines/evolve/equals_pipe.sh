@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # evolve gives the bytes of the shell loop that --print-pipe prints: other degrees, domains, fields, options, schedules.
-. "${BASH_SOURCE%/*}/common.bash"
+. "${BASH_SOURCE%/*}/../common.bash"
 for tool in evolve advect flipdelaunay refine coarsen smoothcurves bspline2mesh; do
   has_tool "$tool" || { echo "$tool is not built" >&2; exit 77; }
 done
