@@ -51,6 +51,8 @@ std::string EvolveOptions::frame_options() const {
 void EvolveCommand::add(CLI::App& app) {
   app.add_option("STEP", step_, "the step, a pipe of tools in quotes: 'advect --flow vortex --dt 0.01 | refine'");
   add_common_options(app, options_.tool, false);
+  app.get_option("--output")->description("write the series to this file, a line a frame");
+  app.get_option("--verbose")->description("print a line for each step");
   app.add_option("--step", step_file_, "read the step from this file; then there is no STEP")->type_name("FILE");
   app.add_option("--until", until_, "end at this time; the last step is shortened to meet it")->type_name("T");
   app.add_option("--steps", steps_, "end after so many steps")->type_name("N");

@@ -60,6 +60,7 @@ class Simulation {
   Simulation(const EvolveOptions& options, Step step)
       : options_(options), step_(std::move(step)), logs_(options.log, options.history), line_(options.tool) {
     context_.say = [this](const std::string& warning) { say(options_.tool, warning); };
+    context_.wants_details = logs_.is_wanted() || options.tool.verbose;
   }
 
   int run() {
