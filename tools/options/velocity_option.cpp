@@ -56,6 +56,21 @@ Expression parse_component(const std::string& option, const std::string& text) {
   }
 }
 
+/// The index of a field of two components; `what` it is, for the error.
+int find_vectors(const Mesh& mesh, const std::string& name, const std::string& what) {
+  const auto named = std::ranges::find(mesh.fields(), name, &Field::name);
+  if (named == mesh.fields().end()) {
+    std::string others;
+    for (const Field& other : mesh.fields()) others += (others.empty() ? "; there is \"" : ", \"") + other.name + "\"";
+    throw InputError("/fields", "there is no field \"" + name + "\"" + others);
+  }
+  const std::string place = "/fields/" + std::to_string(named - mesh.fields().begin());
+  if (named->components != 2)
+    throw InputError(place + "/components", what + " has 2 components, not " + std::to_string(named->components));
+  if (named->by_face) throw InputError(place + "/by_face", what + " must be continuous, not by face");
+  return static_cast<int>(named - mesh.fields().begin());
+}
+
 }  // namespace
 
 void VelocityOption::add(CLI::App& app) {
@@ -70,6 +85,9 @@ void VelocityOption::add(CLI::App& app) {
          "a named flow; \"help\" lists them")
       ->type_name("NAME[:KEY=VALUE,...]");
   app.add_option("--velocity-field", field_, "a field of two components that the mesh carries")->type_name("NAME");
+  app.add_option("--acceleration-field", acceleration_,
+                 "with --velocity-field: another such field, for a step of second order in time")
+      ->type_name("NAME");
 }
 
 void VelocityOption::check(const CLI::App& app) {
@@ -78,6 +96,8 @@ void VelocityOption::check(const CLI::App& app) {
   if (x != y) throw UsageError("--vx and --vy go together");
   if (x + (app.count("--flow") > 0) + (app.count("--velocity-field") > 0) != 1)
     throw UsageError("exactly one of --vx with --vy, --flow and --velocity-field is wanted");
+  if (app.count("--acceleration-field") > 0 && app.count("--velocity-field") == 0)
+    throw UsageError("--acceleration-field needs --velocity-field");
   if (x) {
     velocity_ = [u = parse_component("--vx", vx_), v = parse_component("--vy", vy_)](const Point& place, double time) {
       return Vector{u(place.x, place.y, time), v(place.x, place.y, time)};
@@ -87,18 +107,10 @@ void VelocityOption::check(const CLI::App& app) {
   }
 }
 
-int VelocityOption::find_field(const Mesh& mesh) const {
-  const auto named = std::ranges::find(mesh.fields(), field_, &Field::name);
-  if (named == mesh.fields().end()) {
-    std::string others;
-    for (const Field& other : mesh.fields()) others += (others.empty() ? "; there is \"" : ", \"") + other.name + "\"";
-    throw InputError("/fields", "there is no field \"" + field_ + "\"" + others);
-  }
-  const std::string place = "/fields/" + std::to_string(named - mesh.fields().begin());
-  if (named->components != 2)
-    throw InputError(place + "/components", "a velocity has 2 components, not " + std::to_string(named->components));
-  if (named->by_face) throw InputError(place + "/by_face", "a velocity must be continuous, not by face");
-  return static_cast<int>(named - mesh.fields().begin());
+int VelocityOption::find_field(const Mesh& mesh) const { return find_vectors(mesh, field_, "a velocity"); }
+
+int VelocityOption::find_acceleration(const Mesh& mesh) const {
+  return acceleration_.empty() ? none : find_vectors(mesh, acceleration_, "an acceleration");
 }
 
 }  // namespace pliant
