@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "options/expression.h"
+#include "options/flow_file.h"
 #include "options/numbers.h"
 #include "run/exit_status.h"
 
@@ -56,21 +57,6 @@ Expression parse_component(const std::string& option, const std::string& text) {
   }
 }
 
-/// The index of a field of two components; `what` it is, for the error.
-int find_vectors(const Mesh& mesh, const std::string& name, const std::string& what) {
-  const auto named = std::ranges::find(mesh.fields(), name, &Field::name);
-  if (named == mesh.fields().end()) {
-    std::string others;
-    for (const Field& other : mesh.fields()) others += (others.empty() ? "; there is \"" : ", \"") + other.name + "\"";
-    throw InputError("/fields", "there is no field \"" + name + "\"" + others);
-  }
-  const std::string place = "/fields/" + std::to_string(named - mesh.fields().begin());
-  if (named->components != 2)
-    throw InputError(place + "/components", what + " has 2 components, not " + std::to_string(named->components));
-  if (named->by_face) throw InputError(place + "/by_face", what + " must be continuous, not by face");
-  return static_cast<int>(named - mesh.fields().begin());
-}
-
 }  // namespace
 
 void VelocityOption::add(CLI::App& app) {
@@ -82,8 +68,18 @@ void VelocityOption::add(CLI::App& app) {
            flow_ = text;
            if (text == "help") throw CLI::CallForVersion(list_flows(), 0);  // which prints it and ends the line
          },
-         "a named flow; \"help\" lists them")
-      ->type_name("NAME[:KEY=VALUE,...]");
+         "a named flow (\"help\" lists them), or the velocity field of another mesh or series of meshes: a FILE "
+         "contains "
+         "\"/\", ends in .json or .jsonl, or exists and is no flow's name")
+      ->type_name("NAME[:KEY=VALUE,...]|FILE");
+  app.add_option("--flow-field", flow_field_, "with --flow FILE: the name of the field")
+      ->type_name("NAME")
+      ->capture_default_str();
+  app.add_option("--outside", outside_,
+                 "with --flow FILE, outside its mesh or its times: \"error\", or \"nearest\" for the nearest point and "
+                 "frame")
+      ->type_name("WHAT")
+      ->capture_default_str();
   app.add_option("--velocity-field", field_, "a field of two components that the mesh carries")->type_name("NAME");
   app.add_option("--acceleration-field", acceleration_,
                  "with --velocity-field: another such field, for a step of second order in time")
@@ -98,12 +94,19 @@ void VelocityOption::check(const CLI::App& app) {
     throw UsageError("exactly one of --vx with --vy, --flow and --velocity-field is wanted");
   if (app.count("--acceleration-field") > 0 && app.count("--velocity-field") == 0)
     throw UsageError("--acceleration-field needs --velocity-field");
+  const bool is_file = app.count("--flow") > 0 && is_flow_file(flow_);
+  for (const char* option : {"--flow-field", "--outside"})
+    if (app.count(option) > 0 && !is_file) throw UsageError(std::string(option) + " needs --flow with a file");
+  if (outside_ != "error" && outside_ != "nearest")
+    throw UsageError("--outside: \"error\" or \"nearest\" is wanted, not \"" + outside_ + "\"");
   if (x) {
     velocity_ = [u = parse_component("--vx", vx_), v = parse_component("--vy", vy_)](const Point& place, double time) {
       return Vector{u(place.x, place.y, time), v(place.x, place.y, time)};
     };
   } else if (app.count("--flow") > 0) {
-    velocity_ = parse_flow(flow_);
+    velocity_ = is_file ? read_flow(flow_, flow_field_,
+                                    outside_ == "nearest" ? MeshFlow::Outside::nearest : MeshFlow::Outside::refuse)
+                        : parse_flow(flow_);
   }
 }
 

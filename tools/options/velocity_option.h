@@ -14,10 +14,11 @@ namespace pliant {
 /// Exactly one of the three ways to give a velocity.
 class VelocityOption {
  public:
-  /// Adds --vx, --vy, --flow, --velocity-field and --acceleration-field. `--flow help` ends the parsing, as --help
+  /// Adds --vx, --vy, --flow, --velocity-field and what goes with them. `--flow help` ends the parsing, as --help
   /// does, with the list of the flows.
   void add(CLI::App& app);
-  /// Reads what was parsed and compiles the expressions.   Throws UsageError
+  /// Reads what was parsed, compiles the expressions and reads the file of a flow.   Throws UsageError, and what
+  /// read_flow throws
   void check(const CLI::App& app);
   /// The velocity in units of the document; empty with --velocity-field.
   const VelocityField& velocity() const { return velocity_; }
@@ -27,7 +28,7 @@ class VelocityOption {
   int find_acceleration(const Mesh& mesh) const;
 
  private:
-  std::string vx_, vy_, flow_, field_, acceleration_;
+  std::string vx_, vy_, flow_, field_, acceleration_, flow_field_ = "velocity", outside_ = "error";
   VelocityField velocity_;
 };
 

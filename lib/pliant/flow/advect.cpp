@@ -10,6 +10,7 @@
 #include "pliant/flow/carried_velocity.h"
 #include "pliant/flow/carry_adaptively.h"
 #include "pliant/flow/certify_motion.h"
+#include "pliant/flow/keep_cusps.h"
 #include "pliant/flow/move_elements.h"
 #include "pliant/flow/runge_kutta.h"
 #include "pliant/geometry/describe.h"
@@ -154,6 +155,7 @@ Trial make_trial(const Mesh& mesh, const BoundaryDisplacement& on_boundary, cons
   Trial trial;
   trial.boundary = move_curves(mesh.boundary(), on_boundary, keep_area);
   if (trial.boundary.status == MovedBoundary::Status::done) {
+    keep_cusps(mesh, trial.boundary);
     trial.points = move_elements(mesh, trial.boundary, fill);
     return trial;
   }
