@@ -22,19 +22,20 @@ bool is_flow_file(const std::string& text) {
          std::filesystem::exists(text, ignored);
 }
 
-int find_vectors(const Mesh& mesh, const std::string& name, const std::string& what, bool may_be_by_face) {
-  const auto named = std::ranges::find(mesh.fields(), name, &Field::name);
-  if (named == mesh.fields().end()) {
+int find_vectors(const std::vector<Field>& fields, const std::string& name, const std::string& what,
+                 bool may_be_by_face) {
+  const auto named = std::ranges::find(fields, name, &Field::name);
+  if (named == fields.end()) {
     std::string others;
-    for (const Field& other : mesh.fields()) others += (others.empty() ? "; there is \"" : ", \"") + other.name + "\"";
+    for (const Field& other : fields) others += (others.empty() ? "; there is \"" : ", \"") + other.name + "\"";
     throw InputError("/fields", "there is no field \"" + name + "\"" + others);
   }
-  const std::string place = "/fields/" + std::to_string(named - mesh.fields().begin());
+  const std::string place = "/fields/" + std::to_string(named - fields.begin());
   if (named->components != 2)
     throw InputError(place + "/components", what + " has 2 components, not " + std::to_string(named->components));
   if (named->by_face && !may_be_by_face)
     throw InputError(place + "/by_face", what + " must be continuous, not by face");
-  return static_cast<int>(named - mesh.fields().begin());
+  return static_cast<int>(named - fields.begin());
 }
 
 VelocityField read_flow(const std::string& file, const std::string& field, MeshFlow::Outside policy) {
@@ -44,13 +45,15 @@ VelocityField read_flow(const std::string& file, const std::string& field, MeshF
   for_each_mesh(input, [&](MeshData&& data, const Frame&) {
     normalize_unit(data);
     in_unit(data.boundary.unit, [&] { require_mesh(data, false); });
-    Mesh mesh(std::move(data));
-    if (mesh.triangle_count() == 0) throw InputError("/triangles", "a flow needs a mesh with triangles");
-    if (!flow->empty() && !(mesh.time > flow->last_time()))
-      throw InputError("/time", "the times of a flow must increase: " + describe_number(mesh.time) + " comes after " +
+    if (data.triangle_faces.empty()) throw InputError("/triangles", "a flow needs a mesh with triangles");
+    if (!flow->empty() && !(data.time > flow->last_time()))
+      throw InputError("/time", "the times of a flow must increase: " + describe_number(data.time) + " comes after " +
                                     describe_number(flow->last_time()));
-    const int index = find_vectors(mesh, field, "a velocity", true);
-    flow->add(std::move(mesh), index);
+    const int index = find_vectors(data.fields, field, "a velocity", true);
+    Field velocity = std::move(data.fields[static_cast<std::size_t>(index)]);
+    data.fields.clear();  // only the velocity takes memory
+    data.fields.push_back(std::move(velocity));
+    flow->add(Mesh(std::move(data)), 0);
   });
   return [flow](const Point& place, double time) { return flow->velocity(place, time); };
 }

@@ -45,7 +45,9 @@ VelocityField parse_flow(const std::string& text) {
   try {
     return make_flow(text.substr(0, colon), parameters);
   } catch (const std::invalid_argument& error) {
-    throw UsageError(std::string("--flow: ") + error.what());
+    const std::string name = text.substr(0, colon);
+    const bool is_known = std::ranges::find(named_flows(), name, &NamedFlow::name) != named_flows().end();
+    throw UsageError(std::string("--flow: ") + error.what() + (is_known ? "" : "; and no file has this name"));
   }
 }
 
@@ -110,10 +112,10 @@ void VelocityOption::check(const CLI::App& app) {
   }
 }
 
-int VelocityOption::find_field(const Mesh& mesh) const { return find_vectors(mesh, field_, "a velocity"); }
+int VelocityOption::find_field(const Mesh& mesh) const { return find_vectors(mesh.fields(), field_, "a velocity"); }
 
 int VelocityOption::find_acceleration(const Mesh& mesh) const {
-  return acceleration_.empty() ? none : find_vectors(mesh, acceleration_, "an acceleration");
+  return acceleration_.empty() ? none : find_vectors(mesh.fields(), acceleration_, "an acceleration");
 }
 
 }  // namespace pliant

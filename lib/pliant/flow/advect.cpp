@@ -146,9 +146,6 @@ AdvectOutcome step(Mesh& mesh, const MakeTrial& try_step, const AdvectOptions& o
   }
 }
 
-/// The displacement of a place.
-using Displace = std::function<Vector(const Point&)>;
-
 /// Moves the curves, then the elements by `fill`.
 Trial make_trial(const Mesh& mesh, const BoundaryDisplacement& on_boundary, const FillDisplacements& fill,
                  bool keep_area) {
@@ -166,7 +163,8 @@ Trial make_trial(const Mesh& mesh, const BoundaryDisplacement& on_boundary, cons
 }
 
 /// The mesh moved by the displacements of places. Which places these are, and in which order, does not depend on how
-/// they move.
+/// they move. (A template, since it is called for every place of the mesh.)
+template <class Displace>
 Trial displace(const Mesh& mesh, const Displace& displacement, bool keep_area) {
   const BoundaryComplex& boundary = mesh.boundary();
   const NodeFunction at_node = [&](const Point& place, std::span<double> value) {

@@ -68,7 +68,7 @@ std::string describe_failure(int tries, double tolerance, double time, const Poi
                               : "no step is short enough to meet") +
          (" the tolerance " + describe_number(tolerance)) + ": at time " + describe_number(time) +
          (std::isfinite(needed) ? " the estimate of the error near " + describe_point(place) + " is " +
-                                      describe_number(needed) + " of what it may be"
+                                      describe_number(std::round(needed)) + " times what it may be"
                                 : " the velocity is not finite near " + describe_point(place));
 }
 

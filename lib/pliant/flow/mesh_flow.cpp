@@ -95,7 +95,8 @@ Vector MeshFlow::velocity(const Point& place, double time) {
   if (later.mesh.time == at) return in_frame(later, place, time);
   Frame& earlier = **(after - 1);
   const double s = (at - earlier.mesh.time) / (later.mesh.time - earlier.mesh.time);
-  return (1 - s) * in_frame(earlier, place, time) + s * in_frame(later, place, time);
+  const Vector before = in_frame(earlier, place, time), next = in_frame(later, place, time);
+  return (1 - s) * before + s * next;
 }
 
 }  // namespace pliant

@@ -55,20 +55,23 @@ Squares squared_distance(int degree, const Polygon& polygon) {
   return squares;
 }
 
-/// Newton's method for the foot of a perpendicular, from s; never farther away than there.
+/// Newton's method for the foot of a perpendicular, from s; never farther away than there but by rounding. Near the
+/// foot the distance hardly changes, so that the slope tells better than the distance which place is nearer.
 Foot descend(int degree, const Polygon& polygon, double s) {
+  constexpr double same = 1 + 1e-12;
   Local at = evaluate(degree, polygon, s);
   Foot best{s, squared(at.place)};
+  double slope = dot(at.place, at.first);
   for (int step = 0; step < most_newton_steps; ++step) {
-    const double slope = dot(at.place, at.first), speed = squared(at.first);
-    const double bend = speed + dot(at.place, at.second);
+    const double speed = squared(at.first), bend = speed + dot(at.place, at.second);
     if (speed == 0) break;
-    const double to = std::clamp(s - slope / (bend > 0 ? bend : speed), 0.0, 1.0);
-    if (to == s) break;
-    s = to;
+    s = std::clamp(best.s - slope / (bend > 0 ? bend : speed), 0.0, 1.0);
+    if (s == best.s) break;
     at = evaluate(degree, polygon, s);
-    if (!(squared(at.place) < best.square)) break;
-    best = {s, squared(at.place)};
+    const double square = squared(at.place), next = dot(at.place, at.first);
+    if (!(square < best.square || (square <= same * best.square && std::abs(next) < std::abs(slope)))) break;
+    best = {s, square};
+    slope = next;
   }
   return best;
 }
