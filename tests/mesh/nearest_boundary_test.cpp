@@ -1,5 +1,5 @@
 // tests/mesh/nearest_boundary_test.cpp: the nearest point of the boundary against a search among samples of it.
-#include "pliant/mesh/nearest_boundary.h"
+#include "pliant/mesh/location/nearest_boundary.h"
 
 #include <random>
 

@@ -10,7 +10,7 @@
 #include "pliant/geometry/control_net.h"
 #include "pliant/geometry/describe.h"
 #include "pliant/mesh/locate.h"
-#include "pliant/mesh/nearest_boundary.h"
+#include "pliant/mesh/location/nearest_boundary.h"
 
 namespace pliant {
 namespace {

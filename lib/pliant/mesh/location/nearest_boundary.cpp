@@ -1,5 +1,5 @@
-// lib/pliant/mesh/nearest_boundary.cpp: bisects the squared distance along each outer edge that comes near enough.
-#include "pliant/mesh/nearest_boundary.h"
+// lib/pliant/mesh/location/nearest_boundary.cpp: bisects the squared distance along the outer edges near a place.
+#include "pliant/mesh/location/nearest_boundary.h"
 
 #include <algorithm>
 #include <array>

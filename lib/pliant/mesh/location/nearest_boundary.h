@@ -1,4 +1,4 @@
-// lib/pliant/mesh/nearest_boundary.h: the point of a mesh's outer boundary that is nearest to a point outside.
+// lib/pliant/mesh/location/nearest_boundary.h: the point of a mesh's boundary that is nearest to a place outside.
 #pragma once
 #include <vector>
 
