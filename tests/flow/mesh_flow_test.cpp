@@ -151,6 +151,37 @@ TEST_CASE("where the last place was found does not change the velocity", "[flow]
   }
 }
 
+TEST_CASE("curved meshes of many shapes move in the flow of another mesh, and stay sound", "[flow][property]") {
+  const int degree = GENERATE(1, 2, 3);
+  const double time_step = GENERATE(0.01, 0.1);
+  for (const auto& sample : samples::sample_meshes(degree)) {
+    CAPTURE(degree, sample.name);
+    const Box box = sample.mesh.box();
+    const double size = sample.mesh.size();
+    // A rectangle around the mesh, but for a part of it, which is outside.
+    MeshFlow flow("flow.jsonl", Outside::nearest);
+    for (const double t : {0.0, 0.05, 0.2}) {
+      const Mesh around(scaled(two_rooms(degree), 0.4 * size, box.low));
+      add(flow, with_velocity(
+                    around,
+                    [&](const Point& x) {
+                      return Vector{0.1 * (x.y - box.low.y) + t, 0.1 * x.x};
+                    },
+                    t));
+    }
+    AdvectOptions options;
+    options.dt = time_step;
+    options.policy = StepPolicy::limit;
+    Mesh mesh = sample.mesh;
+    const AdvectOutcome outcome = advect(
+        mesh, [&](const Point& x, double t) { return flow.velocity(x, t); }, options);
+    CHECK((outcome.status == AdvectOutcome::Status::done || outcome.status == AdvectOutcome::Status::limited ||
+           outcome.status == AdvectOutcome::Status::unsafe));
+    CHECK((outcome.status == AdvectOutcome::Status::unsafe || mesh.time > 0));
+    check_all(mesh);
+  }
+}
+
 TEST_CASE("places on curved boundaries count as inside, and beyond them as outside", "[flow]") {
   const int degree = GENERATE(2, 3, 4);
   MeshFlow flow("flow.json", Outside::refuse), nearest("flow.json", Outside::nearest);
