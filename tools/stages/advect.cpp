@@ -73,6 +73,8 @@ void AdvectStage::add_options(CLI::App& app) {
   app.add_flag("--limit", limit_, "where the step is unsafe, take a shorter one that is safe");
   app.add_flag("--force", force_, "take the step also if it inverts elements");
   app.add_flag("--keep-area", options_.keep_area, "keep the area inside each closed curve, by one normal offset");
+  app.add_option("--min-gap", min_gap_text_, "refuse the step where boundaries are closer to each other than that")
+      ->type_name("LENGTH");
   fields_.add(app);
 }
 
@@ -82,6 +84,7 @@ void AdvectStage::check(const CLI::App& app) {
   options_.dt = parse_positive("--dt", dt_text_);
   if (app.count("--until") > 0) until_ = parse_number("--until", until_text_);
   options_.policy = limit_ ? StepPolicy::limit : force_ ? StepPolicy::force : StepPolicy::refuse;
+  if (app.count("--min-gap") > 0) min_gap_ = parse_positive("--min-gap", min_gap_text_);
   flow_.check(app);
   check_method(app);
   fields_.check();
@@ -105,6 +108,7 @@ PassReport AdvectStage::run(Mesh& mesh, const StageContext& context) const {
   fields_.apply(mesh);
   const double before = mesh.time;
   AdvectOptions options = options_;
+  options.min_gap = min_gap_ / mesh.boundary().unit;
   if (context.goal && options.policy == StepPolicy::refuse) options.policy = StepPolicy::limit;
   const std::optional<double> until = context.goal ? context.goal : until_;
   const AdvectOutcome outcome =

@@ -7,6 +7,7 @@
 #include <sstream>
 #include <vector>
 
+#include "pliant/flow/boundary_gap.h"
 #include "pliant/flow/carried_velocity.h"
 #include "pliant/flow/carry_adaptively.h"
 #include "pliant/flow/certify_motion.h"
@@ -97,10 +98,26 @@ void take(Mesh& mesh, Trial trial, double dt) {
   mesh.time += dt;
 }
 
+/// Why a gap forbids a step that would end at `time`, in words.
+std::string contact_note(const Mesh& mesh, const BoundaryGap& gap, double time, double least) {
+  std::ostringstream text;
+  text.precision(6);
+  text << (time == mesh.time ? "before the step, at time " : "at time ") << time << " " << describe_gap(mesh, gap)
+       << ", less than the least gap of " << mesh.boundary().unit * least;
+  return text.str();
+}
+
 AdvectOutcome step(Mesh& mesh, const MakeTrial& try_step, const AdvectOptions& options) {
   AdvectOutcome outcome{};
   outcome.blocking = none;
   outcome.asked_dt = options.dt;
+  const auto blocked_by = [&](const std::optional<BoundaryGap>& gap, double time) {
+    if (!gap) return false;
+    outcome.status = Status::contact;
+    outcome.report.notes.insert(outcome.report.notes.begin(), contact_note(mesh, *gap, time, options.min_gap));
+    return true;
+  };
+  if (blocked_by(least_gap(mesh, options.min_gap), mesh.time)) return outcome;
   double dt = options.dt;
   for (int attempt = 1;; ++attempt) {
     Trial trial = try_step(dt);
@@ -118,6 +135,7 @@ AdvectOutcome step(Mesh& mesh, const MakeTrial& try_step, const AdvectOptions& o
       outcome.report.notes.push_back(blocking_note(mesh, certificate, dt));
     }
     if (safe || options.policy == StepPolicy::force) {
+      if (blocked_by(least_gap(mesh, trial.points, options.min_gap), mesh.time + dt)) return outcome;
       outcome.status = dt == options.dt ? Status::done : Status::limited;
       outcome.dt = dt;
       const double displacement = max_displacement(mesh, trial.points);

@@ -15,6 +15,10 @@ enum class StepPolicy {
   limit,   ///< 0.9 times the largest safe fraction of it is tried instead
   force    ///< it is taken all the same
 };
+/// What happens where the boundary comes closer to itself than the least gap.
+enum class GapPolicy {
+  stop,  ///< the step is not taken
+};
 struct AdvectOptions {
   double dt = 0;  ///< the step to take (time); negative: back in time
   TimeMethod method = TimeMethod::rk4;
@@ -23,6 +27,8 @@ struct AdvectOptions {
   std::optional<double> tolerance;
   StepPolicy policy = StepPolicy::refuse;
   bool keep_area = false;  ///< each closed curve is offset along its normals to enclose the same area
+  double min_gap = 0;      ///< the least gap between boundaries (length in the mesh; least_gap); 0: any, also none
+  GapPolicy gap = GapPolicy::stop;
 };
 /// What became of a step.
 struct AdvectOutcome {
@@ -34,6 +40,7 @@ struct AdvectOutcome {
     no_velocity,       ///< no step was taken, since there is no velocity at some place or time (NoVelocity)
     too_many_steps,    ///< no step was taken, since dopri5 does not meet its tolerance
     not_interpolable,  ///< no step was taken, since no spline interpolates the moved points of a curve
+    contact,           ///< no step was taken, since a gap is thinner than min_gap, before the step or after it
     no_progress,       ///< no step was taken, since it is too short to change the digits of the time
     late               ///< no step was taken by advect_to, since the mesh is at its time or later
   } status;
