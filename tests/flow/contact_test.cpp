@@ -1,4 +1,5 @@
 // tests/flow/contact_test.cpp: steps that would bring boundaries closer than the least gap.
+#include <algorithm>
 #include <numbers>
 
 #include "flow_meshes.h"
@@ -29,7 +30,7 @@ AdvectOptions step_of(double dt, double min_gap) {
 
 /// The least distance of points of two curves that are sampled densely.
 double sampled_gap(const Mesh& mesh, CurveId a, CurveId b) {
-  constexpr int samples = 2000;
+  constexpr int samples = 640;
   const auto points = [&mesh](CurveId c) {
     std::vector<Point> all;
     const std::vector<double> breaks = mesh.spline(c).breaks();
@@ -109,4 +110,67 @@ TEST_CASE("contact is found in other units, and for a velocity that the mesh car
   Mesh mesh(std::move(data));
   CHECK(advect_by_field(mesh, 0, step_of(0.02, 0.1 * factor)).status == AdvectOutcome::Status::done);
   CHECK(advect_by_field(mesh, 0, step_of(0.1, 0.1 * factor)).status == AdvectOutcome::Status::contact);
+}
+
+TEST_CASE("two bodies that a flow drives together are held apart, and spread along each other", "[flow]") {
+  const int degree = GENERATE(1, 2, 3);
+  const bool keep_area = GENERATE(false, true);
+  CAPTURE(degree, keep_area);
+  const VelocityField squeeze = [](const Point& x, double) { return Vector{-x.x, x.y}; };
+  AdvectOptions options = step_of(0.01, 0.1);
+  options.gap = GapPolicy::hold;
+  options.keep_area = keep_area;
+  Mesh mesh(two_disks(degree));
+  double least = HUGE_VAL;
+  bool is_held = false;
+  for (int step = 0; step < 100; ++step) {
+    CAPTURE(step);
+    const AdvectOutcome outcome = advect(mesh, squeeze, options);
+    REQUIRE(outcome.status == AdvectOutcome::Status::done);
+    const auto held = std::ranges::find(outcome.report.values, "held", [](const auto& value) { return value.first; });
+    REQUIRE(held != outcome.report.values.end());
+    is_held = is_held || held->second > 0;
+    least = std::min(least, sampled_gap(mesh, 0, 1));
+  }
+  CHECK(is_held);
+  CHECK(least > 0.09);
+  check_all(mesh);
+  CHECK(mesh.box().high.y > 2);  // the flow alone would bring it to 2.7
+  options.gap = GapPolicy::stop;
+  Mesh other(two_disks(degree));
+  AdvectOutcome outcome{};
+  for (int step = 0; step < 100 && outcome.status != AdvectOutcome::Status::contact; ++step)
+    outcome = advect(other, squeeze, options);
+  CHECK(outcome.status == AdvectOutcome::Status::contact);
+}
+
+TEST_CASE("a body at rest stays as it is while another one is held back from it", "[flow]") {
+  const int degree = GENERATE(2, 3);
+  CAPTURE(degree);
+  const MeshData data = two_disks(degree);
+  AdvectOptions options = step_of(0.02, 0.1);
+  options.gap = GapPolicy::hold;
+  Mesh mesh(data);
+  const VelocityField push = [](const Point& x, double) { return x.x < 0.03 ? Vector{-x.x + 0.1, 0.2} : Vector{}; };
+  for (int step = 0; step < 25; ++step) {
+    CAPTURE(step);
+    REQUIRE(advect(mesh, push, options).status == AdvectOutcome::Status::done);
+    REQUIRE(sampled_gap(mesh, 0, 1) > 0.08);
+  }
+  check_all(mesh);
+  for (std::size_t i = 0; i < mesh.spline(1).points().size(); ++i)
+    CHECK(mesh.spline(1).points()[i] == data.boundary.curves[1].spline.points()[i]);
+}
+
+TEST_CASE("where no gap is thin, holding gaps changes no bit", "[flow]") {
+  const int degree = GENERATE(1, 2, 3);
+  for (const MeshData& data : all(degree)) {
+    Mesh free(data), held(data);
+    AdvectOptions options = step_of(0.02, 0.01);
+    const VelocityField flow = make_flow("taylor-green", {});
+    REQUIRE(advect(free, flow, options).status == AdvectOutcome::Status::done);
+    options.gap = GapPolicy::hold;
+    REQUIRE(advect(held, flow, options).status == AdvectOutcome::Status::done);
+    CHECK(free.to_data().points == held.to_data().points);
+  }
 }

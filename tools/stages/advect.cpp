@@ -75,6 +75,9 @@ void AdvectStage::add_options(CLI::App& app) {
   app.add_flag("--keep-area", options_.keep_area, "keep the area inside each closed curve, by one normal offset");
   app.add_option("--min-gap", min_gap_text_, "refuse the step where boundaries are closer to each other than that")
       ->type_name("LENGTH");
+  app.add_option("--gap", gap_, "where a gap would be thinner than --min-gap: stop, or hold what closes it")
+      ->type_name("stop|hold")
+      ->capture_default_str();
   fields_.add(app);
 }
 
@@ -84,6 +87,9 @@ void AdvectStage::check(const CLI::App& app) {
   options_.dt = parse_positive("--dt", dt_text_);
   if (app.count("--until") > 0) until_ = parse_number("--until", until_text_);
   options_.policy = limit_ ? StepPolicy::limit : force_ ? StepPolicy::force : StepPolicy::refuse;
+  if (gap_ != "stop" && gap_ != "hold") throw UsageError("--gap: '" + gap_ + "' is neither stop nor hold");
+  if (app.count("--gap") > 0 && app.count("--min-gap") == 0) throw UsageError("--gap needs --min-gap");
+  options_.gap = gap_ == "hold" ? GapPolicy::hold : GapPolicy::stop;
   if (app.count("--min-gap") > 0) min_gap_ = parse_positive("--min-gap", min_gap_text_);
   flow_.check(app);
   check_method(app);

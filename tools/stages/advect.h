@@ -34,7 +34,7 @@ class AdvectStage : public Stage {
   AdvectOptions options_;
   std::optional<double> until_;
   std::string dt_text_, until_text_, method_ = "rk4", tolerance_text_;
-  std::string min_gap_text_;
+  std::string min_gap_text_, gap_ = "stop";
   double min_gap_ = 0;
   bool limit_ = false, force_ = false;
 };

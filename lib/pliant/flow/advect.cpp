@@ -11,6 +11,7 @@
 #include "pliant/flow/carried_velocity.h"
 #include "pliant/flow/carry_adaptively.h"
 #include "pliant/flow/certify_motion.h"
+#include "pliant/flow/hold_gaps.h"
 #include "pliant/flow/keep_cusps.h"
 #include "pliant/flow/move_elements.h"
 #include "pliant/flow/runge_kutta.h"
@@ -32,6 +33,7 @@ struct Trial {
   std::string note{};
   MovedBoundary boundary{};
   std::vector<Point> points{};
+  int held = 0;  // places that gaps hold back
 };
 using MakeTrial = std::function<Trial(double dt)>;
 
@@ -99,11 +101,12 @@ void take(Mesh& mesh, Trial trial, double dt) {
 }
 
 /// Why a gap forbids a step that would end at `time`, in words.
-std::string contact_note(const Mesh& mesh, const BoundaryGap& gap, double time, double least) {
+std::string contact_note(const Mesh& mesh, const BoundaryGap& gap, double time, const AdvectOptions& options) {
   std::ostringstream text;
   text.precision(6);
   text << (time == mesh.time ? "before the step, at time " : "at time ") << time << " " << describe_gap(mesh, gap)
-       << ", less than the least gap of " << mesh.boundary().unit * least;
+       << ", less than " << (options.gap == GapPolicy::hold ? "half of " : "") << "the least gap of "
+       << mesh.boundary().unit * options.min_gap;
   return text.str();
 }
 
@@ -111,13 +114,14 @@ AdvectOutcome step(Mesh& mesh, const MakeTrial& try_step, const AdvectOptions& o
   AdvectOutcome outcome{};
   outcome.blocking = none;
   outcome.asked_dt = options.dt;
+  const double least = options.min_gap * (options.gap == GapPolicy::hold ? held_share : 1);
   const auto blocked_by = [&](const std::optional<BoundaryGap>& gap, double time) {
     if (!gap) return false;
     outcome.status = Status::contact;
-    outcome.report.notes.insert(outcome.report.notes.begin(), contact_note(mesh, *gap, time, options.min_gap));
+    outcome.report.notes.insert(outcome.report.notes.begin(), contact_note(mesh, *gap, time, options));
     return true;
   };
-  if (blocked_by(least_gap(mesh, options.min_gap), mesh.time)) return outcome;
+  if (blocked_by(least_gap(mesh, least), mesh.time)) return outcome;
   double dt = options.dt;
   for (int attempt = 1;; ++attempt) {
     Trial trial = try_step(dt);
@@ -135,11 +139,12 @@ AdvectOutcome step(Mesh& mesh, const MakeTrial& try_step, const AdvectOptions& o
       outcome.report.notes.push_back(blocking_note(mesh, certificate, dt));
     }
     if (safe || options.policy == StepPolicy::force) {
-      if (blocked_by(least_gap(mesh, trial.points, options.min_gap), mesh.time + dt)) return outcome;
+      if (blocked_by(least_gap(mesh, trial.points, least), mesh.time + dt)) return outcome;
       outcome.status = dt == options.dt ? Status::done : Status::limited;
       outcome.dt = dt;
       const double displacement = max_displacement(mesh, trial.points);
       const double offset = trial.boundary.area_offset;
+      const int held = trial.held;
       take(mesh, std::move(trial), dt);
       outcome.report.add("dt", dt);
       outcome.report.add("time", mesh.time);
@@ -147,6 +152,7 @@ AdvectOutcome step(Mesh& mesh, const MakeTrial& try_step, const AdvectOptions& o
       outcome.report.add("attempts", attempt);
       outcome.report.add_length("max_displacement", displacement);
       outcome.report.add("invalid", safe ? 0.0 : static_cast<double>(count_invalid(mesh)));
+      if (options.gap == GapPolicy::hold) outcome.report.add("held", held);
       if (options.keep_area) outcome.report.add_length("area_offset", offset);
       mesh.compact();
       return outcome;
@@ -164,15 +170,45 @@ AdvectOutcome step(Mesh& mesh, const MakeTrial& try_step, const AdvectOptions& o
   }
 }
 
+/// Moves the elements with curves that gaps have held back from the `free` places: the other control points, and less
+/// and less those that are farther away, are held back with them.
+void move_held_elements(const Mesh& mesh, Trial& trial, const std::vector<Point>& free) {
+  trial.points = move_elements(mesh, trial.boundary, [&](std::span<char> known, std::span<double> displacements) {
+    std::vector<Vector> corrections(free.size());
+    for (std::size_t p = 0; p < free.size(); ++p)
+      if (known[p])
+        corrections[p] =
+            mesh.point(static_cast<PointId>(p)) + Vector{displacements[2 * p], displacements[2 * p + 1]} - free[p];
+    spread_corrections(mesh, known, corrections);
+    for (std::size_t p = 0; p < free.size(); ++p) {
+      if (known[p]) continue;
+      const Vector by = free[p] + corrections[p] - mesh.point(static_cast<PointId>(p));
+      displacements[2 * p] = by.x;
+      displacements[2 * p + 1] = by.y;
+    }
+  });
+}
+
 /// Moves the curves, then the elements by `fill`.
 Trial make_trial(const Mesh& mesh, const BoundaryDisplacement& on_boundary, const FillDisplacements& fill,
-                 bool keep_area) {
+                 const AdvectOptions& options) {
   Trial trial;
-  trial.boundary = move_curves(mesh.boundary(), on_boundary, keep_area);
-  if (trial.boundary.status == MovedBoundary::Status::done) {
-    keep_cusps(mesh, trial.boundary);
+  BoundaryDisplacements displacements = sample_displacements(mesh.boundary(), on_boundary);
+  const auto move_boundary = [&] {
+    trial.boundary = move_curves(mesh.boundary(), displacements, options.keep_area);
+    if (trial.boundary.status == MovedBoundary::Status::done) keep_cusps(mesh, trial.boundary);
+    return trial.boundary.status == MovedBoundary::Status::done;
+  };
+  if (move_boundary()) {
     trial.points = move_elements(mesh, trial.boundary, fill);
-    return trial;
+    if (options.gap == GapPolicy::stop || !(options.min_gap > 0)) return trial;
+    trial.held = hold_gaps(mesh.boundary(), displacements, options.min_gap);
+    if (trial.held == 0) return trial;
+    if (move_boundary()) {
+      const std::vector<Point> free = std::move(trial.points);
+      move_held_elements(mesh, trial, free);
+      return trial;
+    }
   }
   trial.status =
       trial.boundary.status == MovedBoundary::Status::not_finite ? Status::not_finite : Status::not_interpolable;
@@ -183,7 +219,7 @@ Trial make_trial(const Mesh& mesh, const BoundaryDisplacement& on_boundary, cons
 /// The mesh moved by the displacements of places. Which places these are, and in which order, does not depend on how
 /// they move. (A template, since it is called for every place of the mesh.)
 template <class Displace>
-Trial displace(const Mesh& mesh, const Displace& displacement, bool keep_area) {
+Trial displace(const Mesh& mesh, const Displace& displacement, const AdvectOptions& options) {
   const BoundaryComplex& boundary = mesh.boundary();
   const NodeFunction at_node = [&](const Point& place, std::span<double> value) {
     const Vector moved = displacement(place);
@@ -197,7 +233,7 @@ Trial displace(const Mesh& mesh, const Displace& displacement, bool keep_area) {
       [&](std::span<char> known, std::span<double> displacements) {
         interpolate_nodes(mesh, none, 2, at_node, known, displacements);
       },
-      keep_area);
+      options);
 }
 
 /// The mesh carried by dopri5: all places are collected first, then carried together, then used in the same order.
@@ -208,13 +244,13 @@ Trial displace_adaptively(const Mesh& mesh, const VelocityField& velocity, doubl
     places.push_back(place);
     return Vector{};
   };
-  displace(mesh, collect, false);
+  displace(mesh, collect, {});
   AdaptiveMotion motion = carry_adaptively(velocity, places, mesh.time, dt,
                                            options.tolerance ? *options.tolerance : default_tolerance * mesh.size());
   if (!motion.why.empty()) return {Status::too_many_steps, std::move(motion.why)};
   std::size_t next = 0;
   return displace(
-      mesh, [&](const Point&) { return motion.moved[next++]; }, options.keep_area);
+      mesh, [&](const Point&) { return motion.moved[next++]; }, options);
 }
 
 }  // namespace
@@ -226,7 +262,7 @@ AdvectOutcome advect(Mesh& mesh, const VelocityField& velocity, const AdvectOpti
       return displace(
           mesh,
           [&](const Point& from) { return carry(velocity, from, mesh.time, dt, options.substeps, options.method); },
-          options.keep_area);
+          options);
     } catch (const NoVelocity& e) {
       return {Status::no_velocity, e.what()};
     }
@@ -255,7 +291,7 @@ AdvectOutcome advect_by_field(Mesh& mesh, int field, const AdvectOptions& option
             displacements[2 * p + 1] = by.y;
           }
         },
-        options.keep_area);
+        options);
   };
   return step(mesh, carried, options);
 }

@@ -18,7 +18,12 @@ enum class StepPolicy {
 /// What happens where the boundary comes closer to itself than the least gap.
 enum class GapPolicy {
   stop,  ///< the step is not taken
+  /// Between curves without a common end, what closes the gap further is taken out of the motion (hold_gaps). The step
+  /// is not taken if a gap is thinner than `held_share` of the least one all the same.
+  hold
 };
+inline constexpr double held_share = 0.5;
+
 struct AdvectOptions {
   double dt = 0;  ///< the step to take (time); negative: back in time
   TimeMethod method = TimeMethod::rk4;
@@ -40,7 +45,7 @@ struct AdvectOutcome {
     no_velocity,       ///< no step was taken, since there is no velocity at some place or time (NoVelocity)
     too_many_steps,    ///< no step was taken, since dopri5 does not meet its tolerance
     not_interpolable,  ///< no step was taken, since no spline interpolates the moved points of a curve
-    contact,           ///< no step was taken, since a gap is thinner than min_gap, before the step or after it
+    contact,           ///< no step was taken, since a gap is too thin before the step or after it
     no_progress,       ///< no step was taken, since it is too short to change the digits of the time
     late               ///< no step was taken by advect_to, since the mesh is at its time or later
   } status;
