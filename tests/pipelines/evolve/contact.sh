@@ -28,4 +28,15 @@ says 'the output ends with the last valid state'
 tail -n 1 out >last.json
 run 0 advect --vx 0 --vy 0 --dt 1 --min-gap 0.1 last.json
 run 4 "${meet[@]}" --dt 0.02 --min-gap 0.1 last.json
+# --gap hold: the same flow, and no frame with a gap below 0.9 of the least one; every frame is valid (advect reads none else).
+run 2 "${meet[@]}" --dt 0.1 --gap hold three.json
+says 'needs --min-gap'
+run 2 "${meet[@]}" --dt 0.1 --gap wide --min-gap 0.1 three.json
+says 'neither stop nor hold'
+press='advect --vx 0 --vy "x>1.6?0:0.25-y" --dt 0.02 --min-gap 0.3 --gap hold | flipdelaunay'
+run 0 evolve --steps 60 --every 1 "$press" three.json
+[ "$(wc -l <out)" = 61 ] || fail "$(wc -l <out) frames, not 61"
+mv out held.jsonl
+run 0 advect --vx 0 --vy 0 --dt 1 --min-gap 0.27 held.jsonl
+run 4 advect --vx 0 --vy 0 --dt 1 --min-gap 0.33 held.jsonl
 finish
