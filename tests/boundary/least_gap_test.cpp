@@ -167,6 +167,38 @@ TEST_CASE("the gap of two curves is what dense sampling finds", "[boundary][prop
   }
 }
 
+TEST_CASE("the gap of two wavy bodies is what dense sampling finds, whatever the bound", "[boundary][property]") {
+  const auto seed = GENERATE(range<std::uint64_t>(0, 40));
+  CAPTURE(seed);
+  std::mt19937_64 random(seed);
+  std::uniform_real_distribution<double> unit(0, 1);
+  const int degree = 2 + static_cast<int>(seed % 3);
+  const auto wavy = [&](Point center) {
+    const double a = 0.1 * unit(random), b = 2 * pi * unit(random), c = 0.03 * unit(random), d = 2 * pi * unit(random);
+    return [=](double t) {
+      const double angle = 2 * pi * t, r = 1 + a * std::sin(3 * angle + b) + c * std::sin(7 * angle + d);
+      return center + r * Vector{std::cos(angle), std::sin(angle)};
+    };
+  };
+  Edges edges(degree);
+  edges.add(wavy({0, 0}), 60, true);
+  edges.add(wavy({2.35, 0.3 * unit(random)}), 45, true);
+  const std::vector<GapEdge> all = edges.all();
+  std::vector<Point> points[2];
+  for (const GapEdge& edge : all)
+    for (int i = 0; i < 20; ++i) points[edge.curve].push_back(at(edge.polygon, i / 20.0));
+  double least = HUGE_VAL;
+  for (const Point& p : points[0])
+    for (const Point& q : points[1]) least = std::min(least, distance(p, q));
+  for (const double below : {1.01 * least, 1.0, 30.0}) {
+    const auto gap = edges.gap(below);
+    REQUIRE(gap);
+    CHECK(gap->distance <= least * (1 + 1e-5));
+    CHECK(gap->distance >= least - 1e-3);
+    CHECK(all[static_cast<std::size_t>(gap->first)].curve != all[static_cast<std::size_t>(gap->second)].curve);
+  }
+}
+
 TEST_CASE("neither a smooth curve nor a wedge or a cusp at a common vertex is a gap", "[boundary]") {
   const int spans = GENERATE(2, 3, 5, 40);
   const int degree = GENERATE(2, 3);

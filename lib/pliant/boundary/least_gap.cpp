@@ -63,7 +63,7 @@ class GapSearch {
     visit_overlapping_pairs(boxes, [this](int i, int j) {
       tested_ = 0;
       if (!turns_little(station(i), station(j), i, j)) compare(part_of(i), part_of(j));
-      return true;
+      return best_ > 0;
     });
     return found_;
   }
@@ -273,10 +273,25 @@ class GapSearch {
   std::optional<Gap> found_;
 };
 
+/// Twice the mean size of the edges' boxes.
+double near_distance(std::span<const GapEdge> edges) {
+  double sum = 0;
+  for (const GapEdge& edge : edges) {
+    Box box;
+    for (const Point& p : edge.polygon) box.extend(p);
+    sum += box.size();
+  }
+  return 2 * sum / static_cast<double>(edges.size());
+}
+
 }  // namespace
 
 std::optional<Gap> find_least_gap(std::span<const GapEdge> edges, double below) {
-  if (!(below > 0)) return std::nullopt;
+  if (!(below > 0) || edges.empty()) return std::nullopt;
+  // Where many edges are within `below` of each other, a thinner gap is looked for first.
+  constexpr double widening = 4;
+  for (double near = near_distance(edges); near > 0 && near * widening < below; near *= widening)
+    if (const auto found = GapSearch(edges, near).run()) return found;
   return GapSearch(edges, below).run();
 }
 
