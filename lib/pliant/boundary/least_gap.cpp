@@ -103,11 +103,10 @@ class GapSearch {
 
   Part part_of(int e) const { return {whole_piece(edge(e).polygon), e, station(e).turn_from, station(e).turn_to}; }
   static std::pair<Part, Part> halves_of(const Part& part) {
-    auto [left, right] = halves(part.piece);
+    const auto [left, right] = halves(part.piece);
     const double left_turn = part.turn_from + turning(left.polygon());
     const double right_turn = part.turn_to - turning(right.polygon());
-    return {{std::move(left), part.edge, part.turn_from, left_turn},
-            {std::move(right), part.edge, right_turn, part.turn_to}};
+    return {{left, part.edge, part.turn_from, left_turn}, {right, part.edge, right_turn, part.turn_to}};
   }
 
   /// True if the tangents of a way along one curve that contains both pieces are within a quarter turn: then the
