@@ -50,8 +50,8 @@ double greatest_difference(const Box& a, const Box& b) {
 /// A place on a curve, and the nearest one on curves that it may not meet.
 struct Place {
   int curve;
-  double t;
-  Point at;
+  double t, u;  // parameters on the curve and on its span
+  Point at;     // known once a span is near
   double gap = HUGE_VAL;
   int other = -1;  // the curve, the parameter and the point over there
   double other_t = 0;
@@ -106,13 +106,8 @@ class GapHolder {
         const int count = places_on(spline);
         for (int k = 0; k < count; ++k) {
           const double u = static_cast<double>(k) / (count - 1);
-          places_.push_back({static_cast<int>(c),
-                             breaks[s] + u * (breaks[s + 1] - breaks[s]),
-                             evaluate_piece(spans_.back().piece, u).place,
-                             HUGE_VAL,
-                             -1,
-                             0,
-                             {}});
+          places_.push_back(
+              {static_cast<int>(c), breaks[s] + u * (breaks[s + 1] - breaks[s]), u, {}, HUGE_VAL, -1, 0, {}});
         }
       }
     }
@@ -149,6 +144,7 @@ class GapHolder {
     const int count = places_on(curve(from.curve).spline);
     for (int k = 0; k < count; ++k) {
       Place& place = places_[static_cast<std::size_t>(from.first_place + k)];
+      place.at = evaluate_piece(from.piece, place.u).place;
       if (distance_between(to.box, {place.at, place.at}) > std::min(reach, place.gap)) continue;
       double nearest = HUGE_VAL, v = 0;
       for (int n = 0; n <= coarse_places; ++n) {
