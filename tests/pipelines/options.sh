@@ -43,6 +43,36 @@ if has_tool advect; then
     run 0 bspline2mesh -q --field "v@$face=x,y" annulus.json -o by-face.json
     refuses 3 '/by_face: a velocity must be continuous, not by face' "${to[@]}" --velocity-field v by-face.json
   fi
+  still=(--vx 0 --vy 0)
+  refuses 2 'there is no method "rk5"; there are euler, midpoint, rk4, dopri5' "${to[@]}" "${still[@]}" --method rk5 disk.json
+  refuses 2 '--tol needs --method dopri5' "${to[@]}" "${still[@]}" --tol 1 disk.json
+  refuses 2 '--tol' "${to[@]}" "${still[@]}" --method dopri5 --tol 0 disk.json
+  refuses 2 '--substeps has no meaning with --method dopri5' "${to[@]}" "${still[@]}" --method dopri5 --substeps 2 disk.json
+  refuses 2 '--method has no meaning with --velocity-field' "${to[@]}" --velocity-field u --method euler disk.json
+  refuses 2 '--acceleration-field needs --velocity-field' "${to[@]}" "${still[@]}" --acceleration-field u disk.json
+  refuses 2 '--outside needs --flow with a file' "${to[@]}" --flow shear --outside nearest disk.json
+  refuses 2 '--flow-field needs --flow with a file' "${to[@]}" "${still[@]}" --flow-field u disk.json
+  refuses 2 '"error" or "nearest" is wanted, not "far"' "${to[@]}" --flow disk.json --outside far disk.json
+  refuses 2 'there is no flow "vortices"' "${to[@]}" --flow vortices disk.json
+  refuses 4 'the tolerance 1e-40: at time ' "${to[@]}" --vx 'sin(y+t)' --vy x --method dopri5 --tol 1e-40 disk.json
+  run 0 advect --dt 0.1 "${still[@]}" --field 'velocity=1,x' --field 'a=0,-y' disk.json -o flow.json
+  refuses 3 '/fields: there is no field "w"; there is "u"' "${to[@]}" --velocity-field velocity --acceleration-field w flow.json
+  refuses 3 '/fields/0/components: an acceleration has 2 components, not 1' \
+    "${to[@]}" --velocity-field velocity --acceleration-field u flow.json
+  run 0 "${to[@]}" --velocity-field velocity --acceleration-field a flow.json
+  refuses 5 './nowhere.json: No such file' "${to[@]}" --flow ./nowhere.json disk.json
+  refuses 3 'disk.json:1: frame 0: /fields: there is no field "velocity"; there is "u"' "${to[@]}" --flow disk.json flow.json
+  refuses 3 '/fields/0/components: a velocity has 2 components, not 1' "${to[@]}" --flow disk.json --flow-field u flow.json
+  cat flow.json flow.json >twice.jsonl
+  refuses 3 'the times of a flow must increase: 0.1 comes after 0.1' "${to[@]}" --flow twice.jsonl disk.json
+  : >empty.json
+  refuses 3 'the input is empty' "${to[@]}" --flow empty.json disk.json
+  refuses 4 'is outside the mesh of flow.json, by ' "${to[@]}" --flow flow.json disk.json
+  run 0 "${to[@]}" --flow flow.json --outside nearest disk.json
+  cp flow.json unnamed
+  run 0 "${to[@]}" --flow unnamed --outside nearest disk.json
+  { cat flow.json; sed 's/"time":0.1/"time":0.2/' flow.json; } >series.jsonl
+  refuses 4 'time 0 is before the first frame of series.jsonl, at time 0.1' "${to[@]}" --flow series.jsonl disk.json
   # An unsafe step: refused, or taken by force, which is said.
   refuses 4 'disk.json: frame 0: ' advect --dt 9 --vx '9*y*y' --vy '-9*x*x*x' disk.json
   run 0 advect --dt 9 --vx '9*y*y' --vy '-9*x*x*x' --force disk.json

@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <cstdio>
+#include <fstream>
 #include <string>
 
 #include "run/exit_status.h"
@@ -85,6 +87,20 @@ TEST_CASE("stages in one process give the bytes of the pipe of their tools", "[t
   SECTION("at bare defaults") { check_equal(bare, document, 3); }
   SECTION("at bare defaults, with fields") { check_equal(bare, carrying, 3); }
   SECTION("with options") { check_equal(with_options, carrying, 3); }
+  SECTION("carried by dopri5, and by a field with its acceleration") {
+    check_equal({{"advect", "--vx", "sin(y+t)", "--vy", "x/9", "--dt", "0.1", "--method", "dopri5", "--limit"},
+                 {"flipdelaunay"},
+                 {"advect", "--velocity-field", "v", "--acceleration-field", "u", "--dt", "0.02", "--limit"}},
+                carrying, 3);
+  }
+  SECTION("carried by the velocity of another mesh") {
+    const std::string file = "stages_flow_" + std::to_string(degree) + ".json";
+    std::ofstream(file) << carrying;
+    check_equal(
+        {{"advect", "--flow", file, "--flow-field", "v", "--outside", "nearest", "--dt", "0.1"}, {"flipdelaunay"}},
+        carrying, 3);
+    std::remove(file.c_str());
+  }
   SECTION("carried by a field of the mesh") {
     check_equal({{"advect", "--velocity-field", "v", "--dt", "0.3"}, {"flipdelaunay"}, {"coarsen"}}, carrying, 3);
   }

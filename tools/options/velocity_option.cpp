@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "options/expression.h"
+#include "options/flow_file.h"
 #include "options/numbers.h"
 #include "run/exit_status.h"
 
@@ -44,7 +45,9 @@ VelocityField parse_flow(const std::string& text) {
   try {
     return make_flow(text.substr(0, colon), parameters);
   } catch (const std::invalid_argument& error) {
-    throw UsageError(std::string("--flow: ") + error.what());
+    const std::string name = text.substr(0, colon);
+    const bool is_known = std::ranges::find(named_flows(), name, &NamedFlow::name) != named_flows().end();
+    throw UsageError(std::string("--flow: ") + error.what() + (is_known ? "" : "; and no file has this name"));
   }
 }
 
@@ -67,9 +70,22 @@ void VelocityOption::add(CLI::App& app) {
            flow_ = text;
            if (text == "help") throw CLI::CallForVersion(list_flows(), 0);  // which prints it and ends the line
          },
-         "a named flow; \"help\" lists them")
-      ->type_name("NAME[:KEY=VALUE,...]");
+         "a named flow (\"help\" lists them), or the velocity field of another mesh or series of meshes: a FILE "
+         "contains "
+         "\"/\", ends in .json or .jsonl, or exists and is no flow's name")
+      ->type_name("NAME[:KEY=VALUE,...]|FILE");
+  app.add_option("--flow-field", flow_field_, "with --flow FILE: the name of the field")
+      ->type_name("NAME")
+      ->capture_default_str();
+  app.add_option("--outside", outside_,
+                 "with --flow FILE, outside its mesh or its times: \"error\", or \"nearest\" for the nearest point and "
+                 "frame")
+      ->type_name("WHAT")
+      ->capture_default_str();
   app.add_option("--velocity-field", field_, "a field of two components that the mesh carries")->type_name("NAME");
+  app.add_option("--acceleration-field", acceleration_,
+                 "with --velocity-field: another such field, for a step of second order in time")
+      ->type_name("NAME");
 }
 
 void VelocityOption::check(const CLI::App& app) {
@@ -78,27 +94,28 @@ void VelocityOption::check(const CLI::App& app) {
   if (x != y) throw UsageError("--vx and --vy go together");
   if (x + (app.count("--flow") > 0) + (app.count("--velocity-field") > 0) != 1)
     throw UsageError("exactly one of --vx with --vy, --flow and --velocity-field is wanted");
+  if (app.count("--acceleration-field") > 0 && app.count("--velocity-field") == 0)
+    throw UsageError("--acceleration-field needs --velocity-field");
+  const bool is_file = app.count("--flow") > 0 && is_flow_file(flow_);
+  for (const char* option : {"--flow-field", "--outside"})
+    if (app.count(option) > 0 && !is_file) throw UsageError(std::string(option) + " needs --flow with a file");
+  if (outside_ != "error" && outside_ != "nearest")
+    throw UsageError("--outside: \"error\" or \"nearest\" is wanted, not \"" + outside_ + "\"");
   if (x) {
     velocity_ = [u = parse_component("--vx", vx_), v = parse_component("--vy", vy_)](const Point& place, double time) {
       return Vector{u(place.x, place.y, time), v(place.x, place.y, time)};
     };
   } else if (app.count("--flow") > 0) {
-    velocity_ = parse_flow(flow_);
+    velocity_ = is_file ? read_flow(flow_, flow_field_,
+                                    outside_ == "nearest" ? MeshFlow::Outside::nearest : MeshFlow::Outside::refuse)
+                        : parse_flow(flow_);
   }
 }
 
-int VelocityOption::find_field(const Mesh& mesh) const {
-  const auto named = std::ranges::find(mesh.fields(), field_, &Field::name);
-  if (named == mesh.fields().end()) {
-    std::string others;
-    for (const Field& other : mesh.fields()) others += (others.empty() ? "; there is \"" : ", \"") + other.name + "\"";
-    throw InputError("/fields", "there is no field \"" + field_ + "\"" + others);
-  }
-  const std::string place = "/fields/" + std::to_string(named - mesh.fields().begin());
-  if (named->components != 2)
-    throw InputError(place + "/components", "a velocity has 2 components, not " + std::to_string(named->components));
-  if (named->by_face) throw InputError(place + "/by_face", "a velocity must be continuous, not by face");
-  return static_cast<int>(named - mesh.fields().begin());
+int VelocityOption::find_field(const Mesh& mesh) const { return find_vectors(mesh.fields(), field_, "a velocity"); }
+
+int VelocityOption::find_acceleration(const Mesh& mesh) const {
+  return acceleration_.empty() ? none : find_vectors(mesh.fields(), acceleration_, "an acceleration");
 }
 
 }  // namespace pliant

@@ -14,18 +14,21 @@ namespace pliant {
 /// Exactly one of the three ways to give a velocity.
 class VelocityOption {
  public:
-  /// Adds --vx, --vy, --flow and --velocity-field. `--flow help` ends the parsing, as --help does, with the list of the
-  /// flows.
+  /// Adds --vx, --vy, --flow, --velocity-field and what goes with them. `--flow help` ends the parsing, as --help
+  /// does, with the list of the flows.
   void add(CLI::App& app);
-  /// Reads what was parsed and compiles the expressions.   Throws UsageError
+  /// Reads what was parsed, compiles the expressions and reads the file of a flow.   Throws UsageError, and what
+  /// read_flow throws
   void check(const CLI::App& app);
   /// The velocity in units of the document; empty with --velocity-field.
   const VelocityField& velocity() const { return velocity_; }
   /// The index of the field that --velocity-field names.   Throws InputError
   int find_field(const Mesh& mesh) const;
+  /// The same for --acceleration-field; none if it was not given.   Throws InputError
+  int find_acceleration(const Mesh& mesh) const;
 
  private:
-  std::string vx_, vy_, flow_, field_;
+  std::string vx_, vy_, flow_, field_, acceleration_, flow_field_ = "velocity", outside_ = "error";
   VelocityField velocity_;
 };
 

@@ -27,11 +27,15 @@ class AdvectStage : public Stage {
   PassReport run(Mesh& mesh, const StageContext& context) const override;
 
  private:
+  void check_method(const CLI::App& app);
+
   VelocityOption flow_;
   FieldOption fields_;
   AdvectOptions options_;
   std::optional<double> until_;
-  std::string dt_text_, until_text_;
+  std::string dt_text_, until_text_, method_ = "rk4", tolerance_text_;
+  std::string min_gap_text_, gap_ = "stop";
+  double min_gap_ = 0;
   bool limit_ = false, force_ = false;
 };
 

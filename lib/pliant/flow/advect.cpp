@@ -3,15 +3,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <sstream>
 #include <vector>
 
+#include "pliant/flow/boundary_gap.h"
 #include "pliant/flow/carried_velocity.h"
+#include "pliant/flow/carry_adaptively.h"
+#include "pliant/flow/certify_motion.h"
+#include "pliant/flow/hold_gaps.h"
+#include "pliant/flow/keep_cusps.h"
 #include "pliant/flow/move_elements.h"
 #include "pliant/flow/runge_kutta.h"
 #include "pliant/geometry/describe.h"
-#include "pliant/geometry/validity/swept_validity.h"
-#include "pliant/geometry/validity/validity.h"
 #include "pliant/mesh/interpolate_nodes.h"
 
 namespace pliant {
@@ -21,33 +25,17 @@ constexpr int most_attempts = 20;        // so often a step is made smaller
 constexpr double least_fraction = 1e-6;  // a smaller part of the asked step is not worth taking
 constexpr double limit_margin = 0.9;     // this part of the safe fraction is tried next
 
-/// The mesh after a step of length dt, not yet taken.
+using Status = AdvectOutcome::Status;
+
+/// The mesh after a step of length dt, not yet taken; or why there is none.
 struct Trial {
-  MovedBoundary boundary;
-  std::vector<Point> points;
+  Status status = Status::done;
+  std::string note{};
+  MovedBoundary boundary{};
+  std::vector<Point> points{};
+  int held = 0;  // places that gaps hold back
 };
 using MakeTrial = std::function<Trial(double dt)>;
-
-/// The fraction of a motion that is proved to keep every element valid, and the element that limits it.
-struct Certificate {
-  double fraction = 1;
-  TriangleId blocking = none;
-};
-
-Certificate certify_motion(const Mesh& mesh, const std::vector<Point>& points) {
-  Certificate result;
-  std::vector<Point> from(static_cast<std::size_t>(mesh.net_size()));
-  std::vector<Point> to(from.size());
-  for (TriangleId t = 0; t < mesh.triangle_slots(); ++t) {
-    if (!mesh.is_alive(t)) continue;
-    mesh.gather_points(t, from);
-    const auto net = mesh.net(t);
-    for (std::size_t i = 0; i < net.size(); ++i) to[i] = points[static_cast<std::size_t>(net[i])];
-    const double fraction = safe_fraction(mesh.degree(), from, to);
-    if (fraction < result.fraction) result = {fraction, t};
-  }
-  return result;
-}
 
 /// The first control point of an element whose place is not finite; none if all are finite.
 PointId find_not_finite(const Mesh& mesh, const std::vector<Point>& points) {
@@ -56,17 +44,6 @@ PointId find_not_finite(const Mesh& mesh, const std::vector<Point>& points) {
       for (const PointId p : mesh.net(t))
         if (!is_finite(points[static_cast<std::size_t>(p)])) return p;
   return none;
-}
-
-long count_invalid(const Mesh& mesh) {
-  long count = 0;
-  std::vector<Point> net(static_cast<std::size_t>(mesh.net_size()));
-  for (TriangleId t = 0; t < mesh.triangle_slots(); ++t) {
-    if (!mesh.is_alive(t)) continue;
-    mesh.gather_points(t, net);
-    if (certify(mesh.degree(), net) != Validity::valid) ++count;
-  }
-  return count;
 }
 
 double max_displacement(const Mesh& mesh, const std::vector<Point>& points) {
@@ -78,7 +55,7 @@ double max_displacement(const Mesh& mesh, const std::vector<Point>& points) {
   return greatest;
 }
 
-std::string blocking_note(const Mesh& mesh, const Certificate& certificate, double dt) {
+std::string blocking_note(const Mesh& mesh, const MotionCertificate& certificate, double dt) {
   const Point middle =
       (mesh.point(mesh.corner(certificate.blocking, 0)) + mesh.point(mesh.corner(certificate.blocking, 1)) +
        mesh.point(mesh.corner(certificate.blocking, 2))) /
@@ -99,6 +76,19 @@ std::string failure_note(const Mesh& mesh, const MovedBoundary& moved) {
   return what + "curve " + std::to_string(moved.place) + (name.empty() ? "" : " (\"" + name + "\")");
 }
 
+/// Refuses a trial with a control point that is nowhere.
+void require_finite(const Mesh& mesh, Trial& trial) {
+  if (trial.status != Status::done) return;
+  const PointId p = find_not_finite(mesh, trial.points);
+  if (p == none) return;
+  std::ostringstream text;
+  text.precision(17);
+  text << "the velocity is not finite near control point " << p << " at (" << mesh.point(p).x << ", " << mesh.point(p).y
+       << ")";
+  trial.status = Status::not_finite;
+  trial.note = text.str();
+}
+
 void take(Mesh& mesh, Trial trial, double dt) {
   mesh.set_points(std::move(trial.points));
   for (std::size_t c = 0; c < trial.boundary.splines.size(); ++c)
@@ -110,30 +100,38 @@ void take(Mesh& mesh, Trial trial, double dt) {
   mesh.time += dt;
 }
 
-AdvectOutcome step(Mesh& mesh, const MakeTrial& make_trial, const AdvectOptions& options) {
-  using Status = AdvectOutcome::Status;
+/// Why a gap forbids a step that would end at `time`, in words.
+std::string contact_note(const Mesh& mesh, const BoundaryGap& gap, double time, const AdvectOptions& options) {
+  std::ostringstream text;
+  text.precision(6);
+  text << (time == mesh.time ? "before the step, at time " : "at time ") << time << " " << describe_gap(mesh, gap)
+       << ", less than " << (options.gap == GapPolicy::hold ? "half of " : "") << "the least gap of "
+       << mesh.boundary().unit * options.min_gap;
+  return text.str();
+}
+
+AdvectOutcome step(Mesh& mesh, const MakeTrial& try_step, const AdvectOptions& options) {
   AdvectOutcome outcome{};
   outcome.blocking = none;
   outcome.asked_dt = options.dt;
+  const double least = options.min_gap * (options.gap == GapPolicy::hold ? held_share : 1);
+  const auto blocked_by = [&](const std::optional<BoundaryGap>& gap, double time) {
+    if (!gap) return false;
+    outcome.status = Status::contact;
+    outcome.report.notes.insert(outcome.report.notes.begin(), contact_note(mesh, *gap, time, options));
+    return true;
+  };
+  if (blocked_by(least_gap(mesh, least), mesh.time)) return outcome;
   double dt = options.dt;
   for (int attempt = 1;; ++attempt) {
-    Trial trial = make_trial(dt);
-    if (trial.boundary.status != MovedBoundary::Status::done) {
-      outcome.status =
-          trial.boundary.status == MovedBoundary::Status::not_finite ? Status::not_finite : Status::not_interpolable;
-      outcome.report.notes.push_back(failure_note(mesh, trial.boundary));
+    Trial trial = try_step(dt);
+    require_finite(mesh, trial);
+    if (trial.status != Status::done) {
+      outcome.status = trial.status;
+      outcome.report.notes.push_back(std::move(trial.note));
       return outcome;
     }
-    if (const PointId p = find_not_finite(mesh, trial.points); p != none) {
-      std::ostringstream text;
-      text.precision(17);
-      text << "the velocity is not finite near control point " << p << " at (" << mesh.point(p).x << ", "
-           << mesh.point(p).y << ")";
-      outcome.status = Status::not_finite;
-      outcome.report.notes.push_back(text.str());
-      return outcome;
-    }
-    const Certificate certificate = certify_motion(mesh, trial.points);
+    const MotionCertificate certificate = certify_motion(mesh, trial.points);
     const bool safe = certificate.blocking == none;
     if (attempt == 1) outcome.fraction = certificate.fraction;
     if (!safe) {
@@ -141,10 +139,12 @@ AdvectOutcome step(Mesh& mesh, const MakeTrial& make_trial, const AdvectOptions&
       outcome.report.notes.push_back(blocking_note(mesh, certificate, dt));
     }
     if (safe || options.policy == StepPolicy::force) {
+      if (blocked_by(least_gap(mesh, trial.points, least), mesh.time + dt)) return outcome;
       outcome.status = dt == options.dt ? Status::done : Status::limited;
       outcome.dt = dt;
       const double displacement = max_displacement(mesh, trial.points);
       const double offset = trial.boundary.area_offset;
+      const int held = trial.held;
       take(mesh, std::move(trial), dt);
       outcome.report.add("dt", dt);
       outcome.report.add("time", mesh.time);
@@ -152,6 +152,7 @@ AdvectOutcome step(Mesh& mesh, const MakeTrial& make_trial, const AdvectOptions&
       outcome.report.add("attempts", attempt);
       outcome.report.add_length("max_displacement", displacement);
       outcome.report.add("invalid", safe ? 0.0 : static_cast<double>(count_invalid(mesh)));
+      if (options.gap == GapPolicy::hold) outcome.report.add("held", held);
       if (options.keep_area) outcome.report.add_length("area_offset", offset);
       mesh.compact();
       return outcome;
@@ -169,52 +170,130 @@ AdvectOutcome step(Mesh& mesh, const MakeTrial& make_trial, const AdvectOptions&
   }
 }
 
+/// Moves the elements with curves that gaps have held back from the `free` places: the other control points, and less
+/// and less those that are farther away, are held back with them.
+void move_held_elements(const Mesh& mesh, Trial& trial, const std::vector<Point>& free) {
+  trial.points = move_elements(mesh, trial.boundary, [&](std::span<char> known, std::span<double> displacements) {
+    std::vector<Vector> corrections(free.size());
+    for (std::size_t p = 0; p < free.size(); ++p)
+      if (known[p])
+        corrections[p] =
+            mesh.point(static_cast<PointId>(p)) + Vector{displacements[2 * p], displacements[2 * p + 1]} - free[p];
+    spread_corrections(mesh, known, corrections);
+    for (std::size_t p = 0; p < free.size(); ++p) {
+      if (known[p]) continue;
+      const Vector by = free[p] + corrections[p] - mesh.point(static_cast<PointId>(p));
+      displacements[2 * p] = by.x;
+      displacements[2 * p + 1] = by.y;
+    }
+  });
+}
+
+/// Moves the curves, then the elements by `fill`.
+Trial make_trial(const Mesh& mesh, const BoundaryDisplacement& on_boundary, const FillDisplacements& fill,
+                 const AdvectOptions& options) {
+  Trial trial;
+  BoundaryDisplacements displacements = sample_displacements(mesh.boundary(), on_boundary);
+  const auto move_boundary = [&] {
+    trial.boundary = move_curves(mesh.boundary(), displacements, options.keep_area);
+    if (trial.boundary.status == MovedBoundary::Status::done) keep_cusps(mesh, trial.boundary);
+    return trial.boundary.status == MovedBoundary::Status::done;
+  };
+  if (move_boundary()) {
+    trial.points = move_elements(mesh, trial.boundary, fill);
+    if (options.gap == GapPolicy::stop || !(options.min_gap > 0)) return trial;
+    trial.held = hold_gaps(mesh.boundary(), displacements, options.min_gap);
+    if (trial.held == 0) return trial;
+    if (move_boundary()) {
+      const std::vector<Point> free = std::move(trial.points);
+      move_held_elements(mesh, trial, free);
+      return trial;
+    }
+  }
+  trial.status =
+      trial.boundary.status == MovedBoundary::Status::not_finite ? Status::not_finite : Status::not_interpolable;
+  trial.note = failure_note(mesh, trial.boundary);
+  return trial;
+}
+
+/// The mesh moved by the displacements of places. Which places these are, and in which order, does not depend on how
+/// they move. (A template, since it is called for every place of the mesh.)
+template <class Displace>
+Trial displace(const Mesh& mesh, const Displace& displacement, const AdvectOptions& options) {
+  const BoundaryComplex& boundary = mesh.boundary();
+  const NodeFunction at_node = [&](const Point& place, std::span<double> value) {
+    const Vector moved = displacement(place);
+    value[0] = moved.x;
+    value[1] = moved.y;
+  };
+  return make_trial(
+      mesh,
+      {[&](int c, double t) { return displacement(boundary.curves[static_cast<std::size_t>(c)].spline.evaluate(t)); },
+       [&](int v) { return displacement(boundary.vertices[static_cast<std::size_t>(v)]); }},
+      [&](std::span<char> known, std::span<double> displacements) {
+        interpolate_nodes(mesh, none, 2, at_node, known, displacements);
+      },
+      options);
+}
+
+/// The mesh carried by dopri5: all places are collected first, then carried together, then used in the same order.
+Trial displace_adaptively(const Mesh& mesh, const VelocityField& velocity, double dt, const AdvectOptions& options) {
+  constexpr double default_tolerance = 1e-9;  // of the mesh's size
+  std::vector<Point> places;
+  const auto collect = [&places](const Point& place) {
+    places.push_back(place);
+    return Vector{};
+  };
+  displace(mesh, collect, {});
+  AdaptiveMotion motion = carry_adaptively(velocity, places, mesh.time, dt,
+                                           options.tolerance ? *options.tolerance : default_tolerance * mesh.size());
+  if (!motion.why.empty()) return {Status::too_many_steps, std::move(motion.why)};
+  std::size_t next = 0;
+  return displace(
+      mesh, [&](const Point&) { return motion.moved[next++]; }, options);
+}
+
 }  // namespace
 
 AdvectOutcome advect(Mesh& mesh, const VelocityField& velocity, const AdvectOptions& options) {
-  const BoundaryComplex& boundary = mesh.boundary();
-  const auto make_trial = [&](double dt) {
-    const auto displacement = [&](const Point& from) { return carry(velocity, from, mesh.time, dt, options.substeps); };
-    Trial trial;
-    trial.boundary = move_curves(
-        boundary,
-        {[&](int c, double t) { return displacement(boundary.curves[static_cast<std::size_t>(c)].spline.evaluate(t)); },
-         [&](int v) { return displacement(boundary.vertices[static_cast<std::size_t>(v)]); }},
-        options.keep_area);
-    if (trial.boundary.status != MovedBoundary::Status::done) return trial;
-    const NodeFunction at_node = [&](const Point& place, std::span<double> value) {
-      const Vector moved = displacement(place);
-      value[0] = moved.x;
-      value[1] = moved.y;
-    };
-    trial.points = move_elements(mesh, trial.boundary, [&](std::span<char> known, std::span<double> displacements) {
-      interpolate_nodes(mesh, none, 2, at_node, known, displacements);
-    });
-    return trial;
+  const auto carried = [&](double dt) -> Trial {
+    try {
+      if (options.method == TimeMethod::dopri5) return displace_adaptively(mesh, velocity, dt, options);
+      return displace(
+          mesh,
+          [&](const Point& from) { return carry(velocity, from, mesh.time, dt, options.substeps, options.method); },
+          options);
+    } catch (const NoVelocity& e) {
+      return {Status::no_velocity, e.what()};
+    }
   };
-  return step(mesh, make_trial, options);
+  return step(mesh, carried, options);
 }
 
-AdvectOutcome advect_by_field(Mesh& mesh, int field, const AdvectOptions& options) {
+AdvectOutcome advect_by_field(Mesh& mesh, int field, const AdvectOptions& options, int acceleration) {
   const CarriedVelocity velocity(mesh, field);
-  const auto make_trial = [&](double dt) {
-    Trial trial;
-    trial.boundary = move_curves(mesh.boundary(),
-                                 {[&](int c, double t) { return dt * velocity.on_curve(c, t); },
-                                  [&](int v) { return dt * velocity.at_vertex(v); }},
-                                 options.keep_area);
-    if (trial.boundary.status != MovedBoundary::Status::done) return trial;
-    trial.points = move_elements(mesh, trial.boundary, [&](std::span<char> known, std::span<double> displacements) {
-      for (std::size_t p = 0; p < known.size(); ++p) {
-        if (known[p]) continue;
-        const Vector moved = dt * velocity.at_point(static_cast<PointId>(p));
-        displacements[2 * p] = moved.x;
-        displacements[2 * p + 1] = moved.y;
-      }
-    });
-    return trial;
+  std::optional<CarriedVelocity> change;
+  if (acceleration != none) change.emplace(mesh, acceleration);
+  const auto carried = [&](double dt) {
+    const auto moved = [&](const auto& at) {
+      const Vector straight = dt * at(velocity);
+      return change ? straight + 0.5 * dt * (dt * at(*change)) : straight;
+    };
+    return make_trial(
+        mesh,
+        {[&](int c, double t) { return moved([&](const CarriedVelocity& v) { return v.on_curve(c, t); }); },
+         [&](int v) { return moved([&](const CarriedVelocity& field_of) { return field_of.at_vertex(v); }); }},
+        [&](std::span<char> known, std::span<double> displacements) {
+          for (std::size_t p = 0; p < known.size(); ++p) {
+            if (known[p]) continue;
+            const Vector by = moved([&](const CarriedVelocity& v) { return v.at_point(static_cast<PointId>(p)); });
+            displacements[2 * p] = by.x;
+            displacements[2 * p + 1] = by.y;
+          }
+        },
+        options);
   };
-  return step(mesh, make_trial, options);
+  return step(mesh, carried, options);
 }
 
 }  // namespace pliant

@@ -56,8 +56,10 @@ AdvectOutcome advect_to(Mesh& mesh, const VelocityField& velocity, const AdvectO
   const VelocityField in_unit = [&velocity, unit](const Point& place, double time) {
     return velocity(unit * place, time) / unit;
   };
-  return advect_to(mesh, options, until,
-                   [&](const AdvectOptions& step) { return advect(mesh, unit == 1 ? velocity : in_unit, step); });
+  return advect_to(mesh, options, until, [&](AdvectOptions step) {
+    if (step.tolerance) *step.tolerance /= unit;
+    return advect(mesh, unit == 1 ? velocity : in_unit, step);
+  });
 }
 
 }  // namespace pliant

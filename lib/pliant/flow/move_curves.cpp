@@ -8,37 +8,51 @@
 
 namespace pliant {
 
-MovedBoundary move_curves(const BoundaryComplex& boundary, const BoundaryDisplacement& displacement, bool keep_area) {
-  MovedBoundary moved;
-  std::vector<Vector> by_vertex;
-  for (std::size_t v = 0; v < boundary.vertices.size(); ++v) {
-    by_vertex.push_back(displacement.at_vertex(static_cast<int>(v)));
-    moved.vertices.push_back(boundary.vertices[v] + by_vertex.back());
-    if (!is_finite(moved.vertices.back())) moved.status = MovedBoundary::Status::not_finite;
-  }
-  if (moved.status != MovedBoundary::Status::done) return moved;
+void BoundaryDisplacements::join_ends(const Curve& curve, std::size_t number) {
+  if (curve.spline.closed()) return;
+  at_greville[number].front() = at_vertex[static_cast<std::size_t>(curve.start)];
+  at_greville[number].back() = at_vertex[static_cast<std::size_t>(curve.end)];
+}
 
-  std::vector<Vector> values;
+BoundaryDisplacements sample_displacements(const BoundaryComplex& boundary, const BoundaryDisplacement& displacement) {
+  BoundaryDisplacements all;
+  for (std::size_t v = 0; v < boundary.vertices.size(); ++v) {
+    all.at_vertex.push_back(displacement.at_vertex(static_cast<int>(v)));
+    if (!is_finite(boundary.vertices[v] + all.at_vertex.back())) all.not_finite = -1;
+  }
+  for (std::size_t c = 0; c < boundary.curves.size() && all.not_finite == -2; ++c) {
+    const Curve& curve = boundary.curves[c];
+    const std::vector<double> greville = curve.spline.greville();
+    std::vector<Vector>& values = all.at_greville.emplace_back(greville.size());
+    for (std::size_t i = 0; i < greville.size(); ++i)
+      // The Greville abscissa at the end of an open curve, a mean of equal knots, may be off by a bit.
+      if (curve.spline.closed() || (i > 0 && i + 1 < greville.size()))
+        values[i] = displacement.on_curve(static_cast<int>(c), greville[i]);
+    all.join_ends(curve, c);
+    if (!std::ranges::all_of(values, is_finite)) all.not_finite = static_cast<int>(c);
+  }
+  return all;
+}
+
+MovedBoundary move_curves(const BoundaryComplex& boundary, const BoundaryDisplacement& displacement, bool keep_area) {
+  return move_curves(boundary, sample_displacements(boundary, displacement), keep_area);
+}
+
+MovedBoundary move_curves(const BoundaryComplex& boundary, const BoundaryDisplacements& displacements, bool keep_area) {
+  MovedBoundary moved;
+  if (displacements.not_finite > -2) {
+    moved.status = MovedBoundary::Status::not_finite;
+    moved.place = displacements.not_finite;
+    return moved;
+  }
+  for (std::size_t v = 0; v < boundary.vertices.size(); ++v)
+    moved.vertices.push_back(boundary.vertices[v] + displacements.at_vertex[v]);
   for (std::size_t c = 0; c < boundary.curves.size(); ++c) {
     const Curve& curve = boundary.curves[c];
     moved.place = static_cast<int>(c);
-    const std::vector<double> greville = curve.spline.greville();
-    values.assign(greville.size(), {});
-    for (std::size_t i = 0; i < greville.size(); ++i) {
-      // The ends of an open curve move with their vertices, since corners must stay shared. (The Greville abscissa
-      // there, a mean of equal knots, may be off by a bit.)
-      if (!curve.spline.closed() && i == 0)
-        values[i] = by_vertex[static_cast<std::size_t>(curve.start)];
-      else if (!curve.spline.closed() && i + 1 == greville.size())
-        values[i] = by_vertex[static_cast<std::size_t>(curve.end)];
-      else
-        values[i] = displacement.on_curve(static_cast<int>(c), greville[i]);
-      if (!is_finite(values[i])) moved.status = MovedBoundary::Status::not_finite;
-    }
-    if (moved.status != MovedBoundary::Status::done) return moved;
     BSpline spline = curve.spline;
     BSpline vectors = spline;
-    if (!vectors.interpolate(values)) {
+    if (!vectors.interpolate(displacements.at_greville[c])) {
       moved.status = MovedBoundary::Status::not_interpolable;
       return moved;
     }

@@ -13,6 +13,17 @@ struct BoundaryDisplacement {
   std::function<Vector(int vertex)> at_vertex;
 };
 
+/// The same at the places that decide the motion.
+struct BoundaryDisplacements {
+  std::vector<Vector> at_vertex;
+  std::vector<std::vector<Vector>> at_greville;  ///< for each curve, at its Greville abscissae
+  int not_finite = -2;                           ///< the first curve with one that is not finite; -1: a vertex has one
+
+  /// The ends of an open curve move with their vertices, since corners must stay shared.
+  void join_ends(const Curve& curve, std::size_t number);
+};
+BoundaryDisplacements sample_displacements(const BoundaryComplex& boundary, const BoundaryDisplacement& displacement);
+
 struct MovedBoundary {
   enum class Status { done, not_finite, not_interpolable };
   Status status = Status::done;
@@ -30,5 +41,6 @@ struct MovedBoundary {
 /// Refuses     displacements that are not finite; curves whose displacement no spline on their knots interpolates
 /// Complexity  O(control points * degree^2)
 MovedBoundary move_curves(const BoundaryComplex& boundary, const BoundaryDisplacement& displacement, bool keep_area);
+MovedBoundary move_curves(const BoundaryComplex& boundary, const BoundaryDisplacements& displacements, bool keep_area);
 
 }  // namespace pliant

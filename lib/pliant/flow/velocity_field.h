@@ -2,6 +2,7 @@
 #pragma once
 #include <functional>
 #include <map>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -10,8 +11,14 @@
 namespace pliant {
 
 /// The velocity at a position and time. It must be safe to call at any finite position; a result that is not finite
-/// stops the pass.
+/// stops the pass. Where it has no value at all it throws NoVelocity.
 using VelocityField = std::function<Vector(const Point&, double time)>;
+
+/// There is no velocity at a place or time: the text says where, when and why. A step that meets it is not taken.
+class NoVelocity : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
 
 /// A closed-form flow of the library: its name, what it is, and its parameters.
 struct NamedFlow {

@@ -9,14 +9,6 @@
 namespace pliant {
 namespace {
 
-/// The corner of an element that lies at a cusp of the boundary, or none.
-int cusp_corner(const BoundaryComplex& boundary, std::span<const Point> net) {
-  for (const int v : boundary.cusps)
-    for (int c = 0; c < 3; ++c)
-      if (boundary.vertices[static_cast<std::size_t>(v)] == net[static_cast<std::size_t>(c)]) return c;
-  return none;
-}
-
 void judge(InvalidElements& found, const BoundaryComplex& boundary, int degree, std::span<const Point> net,
            TriangleId t) {
   switch (certify_element(boundary, degree, net)) {
@@ -32,6 +24,13 @@ void judge(InvalidElements& found, const BoundaryComplex& boundary, int degree, 
 }
 
 }  // namespace
+
+int cusp_corner(const BoundaryComplex& boundary, std::span<const Point> net) {
+  for (const int v : boundary.cusps)
+    for (int c = 0; c < 3; ++c)
+      if (boundary.vertices[static_cast<std::size_t>(v)] == net[static_cast<std::size_t>(c)]) return c;
+  return none;
+}
 
 Validity certify_element(const BoundaryComplex& boundary, int degree, std::span<const Point> net) {
   const int cusp = boundary.cusps.empty() ? none : cusp_corner(boundary, net);

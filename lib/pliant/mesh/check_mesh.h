@@ -23,6 +23,8 @@ std::vector<Fault> check_structure(const MeshData& data, int limit = 20);
 /// The same, for a caller that has the half-edges of the document already.
 std::vector<Fault> check_structure(const MeshData& data, const HalfEdges& half_edges, int limit = 20);
 
+/// The corner of an element that lies at a cusp of the boundary, or none.
+int cusp_corner(const BoundaryComplex& boundary, std::span<const Point> net);
 /// The certificate of one element of a mesh with this boundary (M3). At a cusp of the boundary det J may be 0.
 Validity certify_element(const BoundaryComplex& boundary, int degree, std::span<const Point> net);
 Validity certify_element(const Mesh& mesh, TriangleId t);

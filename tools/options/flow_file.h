@@ -1,0 +1,24 @@
+// tools/options/flow_file.h: the velocity field of another mesh document or series, from its file.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "pliant/flow/mesh_flow.h"
+
+namespace pliant {
+
+/// Is this argument of --flow a file? It is if it contains a "/", ends in .json or .jsonl, or names a file that exists,
+/// unless the part before a ":" is the name of a flow.
+bool is_flow_file(const std::string& text);
+
+/// The index of a field of two components; `what` it is, for the error.
+/// Throws      InputError where there is none, or one by face that must not be
+int find_vectors(const std::vector<Field>& fields, const std::string& name, const std::string& what,
+                 bool may_be_by_face = false);
+
+/// Reads every frame of the file.
+/// Throws      Placed for bad input: faults of a mesh, invalid elements, no such field, times that do not increase;
+///             std::system_error
+VelocityField read_flow(const std::string& file, const std::string& field, MeshFlow::Outside policy);
+
+}  // namespace pliant
