@@ -40,9 +40,7 @@ class Coarsener {
                 accepted_shape(*options.goals),
                 options.uses_forecast},
         chain_(mesh, limits_, slated_),
-        changed_(index(mesh.point_slots()), 0) {
-    for (std::vector<Memory>& each : memories_) each.resize(index(mesh.point_slots()));
-  }
+        changed_(index(mesh.point_slots()), 0) {}
 
   PassReport run() {
     bool is_afresh = true;  // no vertices stuck in an earlier round are preferred: the first round of a new run
@@ -165,7 +163,7 @@ class Coarsener {
 
   /// Remembers a refusal, since the removal would be refused again as long as what decided it has not changed.
   void remember(PointId v, const RemovalRefusal& refusal) {
-    Memory& memory = memories_[index(parity_)][index(v)];
+    Memory& memory = memories_[index(parity_)].of(v, mesh_.point_slots());
     memory.refusal = refusal;
     memory.when = clock_;
     memory.decided_by.clear();
@@ -176,11 +174,10 @@ class Coarsener {
     for (const PointId w : by) memory.decided_by.push_back(2 * w + (slated_[index(w)] ? 1 : 0));
   }
   bool remembers(PointId v) const {
-    const Memory& memory = memories_[index(parity_)][index(v)];
-    return memory.refusal.reason != nullptr &&
-           std::all_of(memory.decided_by.begin(), memory.decided_by.end(), [&](PointId noted) {
+    const Memory* memory = memories_[index(parity_)].find(v);
+    return memory != nullptr && std::all_of(memory->decided_by.begin(), memory->decided_by.end(), [&](PointId noted) {
              const PointId w = noted / 2;
-             return changed_[index(w)] <= memory.when && slated_[index(w)] == (noted % 2 != 0);
+             return changed_[index(w)] <= memory->when && slated_[index(w)] == (noted % 2 != 0);
            });
   }
 
@@ -215,7 +212,7 @@ class Coarsener {
     report.add("integral_change", integral_change_);
     report.add("triangles", mesh_.triangle_count());
     for (const PointId v : refused_) {
-      const RemovalRefusal& refusal = memories_[index(parity_)][index(v)].refusal;
+      const RemovalRefusal& refusal = memories_[index(parity_)].find(v)->refusal;
       report.refuse((refusal.is_refinement ? "would be refined again: " : "") + std::string(refusal.reason),
                     mesh_.point(v));
     }
@@ -226,6 +223,26 @@ class Coarsener {
     RemovalRefusal refusal;
     long when = 0;
     std::vector<PointId> decided_by;  // for each vertex twice its number, plus one if it was slated
+  };
+  /// The memories of the vertices that have one: few.
+  class Memories {
+   public:
+    const Memory* find(PointId v) const {
+      return places_.empty() || places_[index(v)] == none ? nullptr : &memories_[index(places_[index(v)])];
+    }
+    Memory& of(PointId v, PointId slots) {
+      if (places_.empty()) places_.assign(index(slots), none);
+      std::int32_t& place = places_[index(v)];
+      if (place == none) {
+        place = static_cast<std::int32_t>(memories_.size());
+        memories_.emplace_back();
+      }
+      return memories_[index(place)];
+    }
+
+   private:
+    std::vector<std::int32_t> places_;  // by vertex; none: it has no memory
+    std::vector<Memory> memories_;
   };
 
   Mesh& mesh_;
@@ -240,8 +257,8 @@ class Coarsener {
   RemovalChain::Limits limits_;
   RemovalChain chain_;
   // By vertex:
-  std::array<std::vector<Memory>, 2> memories_;  // one for even rounds and one for odd ones: every other round slates
-                                                 // much the same vertices
+  std::array<Memories, 2> memories_;  // one for even rounds and one for odd ones: every other round slates
+                                      // much the same vertices
   int parity_ = 0;
   std::vector<long> changed_;  // the time (clock_) of the last change of its star
   std::vector<PointId> decided_by_;

@@ -31,7 +31,7 @@ int LogicalPatch::bring_in(TriangleId t) {
   copy.triangle = t;
   for (int e = 0; e < 3; ++e) {
     const HalfEdgeId h = half_edge(t, e), g = mesh_.twin(h);
-    if (measures_) bend_ = std::max(bend_, std::sqrt(squared_bend(mesh_, h)));
+    if (measures_) squared_bend_ = std::max(squared_bend_, squared_bend(mesh_, h));
     copy.corners[index(e)] = mesh_.origin(h);
     copy.is_constrained[index(e)] = mesh_.is_constrained(h);
     copy.beyond[index(e)] = g == none ? wall : outside_piece(g);

@@ -15,6 +15,9 @@ namespace pliant {
 namespace {
 
 constexpr double slack = 1e-9;  // relative; by so much the forecast is milder than refine, because of rounding
+// The area between an edge and its chord, in products of the chord's length and the edge's bend, is at most this: a
+// third for parabolas, of any other degree less than
+constexpr double parabola = (1 + slack) / 3, segment = 1.5;
 
 }  // namespace
 
@@ -72,7 +75,7 @@ bool RemovalForecast::is_surely_large(FaceId face, const LogicalPatch::Corners& 
                                       const Point& c) const {
   if (bounds_area_ && foreseen_.curves.empty()) {
     const double around = distance(a, b) + distance(b, c) + distance(c, a);
-    const double least = cross(b - a, c - a) / 2 - 1.5 * patch_.bend() * around;
+    const double least = cross(b - a, c - a) / 2 - (mesh_.degree() == 2 ? parabola : segment) * patch_.bend() * around;
     if (least > (1 + slack) * goals_.area_bound(face)) return true;
   }
   if (!goals_.size && goals_.size_field == none) return false;

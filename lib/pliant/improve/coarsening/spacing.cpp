@@ -83,23 +83,25 @@ std::vector<double> wanted_spacing(const Mesh& mesh, const VertexGraph& graph, c
     });
 
   // Dijkstra's algorithm from all vertices at once makes the wanted lengths Lipschitz.
-  using Item = std::pair<double, PointId>;
+  using Item = std::pair<double, int>;
   std::priority_queue<Item, std::vector<Item>, std::greater<>> queue;
-  const auto spread = [&](double wanted, PointId v) {
-    for (const PointId w : graph.around(v)) {
+  const auto spread = [&](double wanted, int k) {
+    const PointId v = graph.vertex(k);
+    for (const int near : graph.around(k)) {
+      const PointId w = graph.vertex(near);
       if (wanted >= spacing[index(w)]) continue;
       const double graded = wanted + gradation * quick_distance(mesh.point(v), mesh.point(w));
       if (graded >= spacing[index(w)]) continue;
       spacing[index(w)] = graded;
-      queue.push({graded, w});
+      queue.push({graded, near});
     }
   };
-  for (PointId v = 0; v < mesh.point_slots(); ++v)
-    if (mesh.is_vertex(v) && spacing[index(v)] < HUGE_VAL) spread(spacing[index(v)], v);
+  for (int k = 0; k < graph.count(); ++k)
+    if (const double wanted = spacing[index(graph.vertex(k))]; wanted < HUGE_VAL) spread(wanted, k);
   while (!queue.empty()) {
-    const auto [wanted, v] = queue.top();
+    const auto [wanted, k] = queue.top();
     queue.pop();
-    if (wanted == spacing[index(v)]) spread(wanted, v);
+    if (wanted == spacing[index(graph.vertex(k))]) spread(wanted, k);
   }
   const double widest = mesh.size();
   for (double& wanted : spacing) wanted = std::min(wanted, widest);
