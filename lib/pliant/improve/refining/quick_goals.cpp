@@ -22,16 +22,13 @@ QuickGoals::QuickGoals(const Mesh& mesh, const QualityGoals& goals) : mesh_(mesh
     area_bounds_.push_back(goals.area_bound(f));
   const double sine = std::sin(goals.min_angle * std::numbers::pi / 180);
   if (goals.min_angle > 0) squared_sine_ = sine * sine * (1 + margin);
-  bounds_turning_ = goals.max_turning < HUGE_VAL && mesh.degree() > 1;
   is_known_ = !goals.size && goals.size_field == none;
 }
 
 bool QuickGoals::are_surely_met(TriangleId t) const {
   if (!is_known_) return false;
   const HalfEdgeId h = half_edge(t, 0);
-  if (bounds_turning_ &&
-      (mesh_.is_constrained(h) || mesh_.is_constrained(next(h)) || mesh_.is_constrained(previous(h))))
-    return false;
+  if (mesh_.is_constrained(h) || mesh_.is_constrained(next(h)) || mesh_.is_constrained(previous(h))) return false;
   const auto net = mesh_.net(t);
   const Point &a = mesh_.point(net[0]), &b = mesh_.point(net[1]), &c = mesh_.point(net[2]);
   const Vector ab = b - a, bc = c - b, ca = a - c;
