@@ -19,14 +19,6 @@ constexpr double margin = 1e-9;       // what is_surely_fine proves holds with t
 constexpr double range_width = 1e-3;  // relative width of the bounds of det J: the same as in scaled_jacobian
 constexpr double worst_valid = 0.999 * tangled_excess;  // the excess of a certified element is at most this
 
-/// True if the cosine of the angle is at least `least`; false if squares over- or underflow.
-bool is_turn_within(const Vector& from, const Vector& to, double least) {
-  const double product = dot(from, to), squares = squared_length(from) * squared_length(to);
-  if (!(squares > 0) || !std::isfinite(squares)) return false;
-  const double signed_square = product * std::fabs(product);
-  return signed_square >= (least * std::fabs(least) + margin) * squares;
-}
-
 /// The largest turning of the edges that are not fixed.
 double turning_of(int degree, std::span<const Point> net, unsigned fixed) {
   if (fixed == 0) return element_turning(degree, net);

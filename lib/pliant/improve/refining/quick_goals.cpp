@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "pliant/geometry/index.h"
+#include "pliant/geometry/spline/turning_angle.h"
 #include "pliant/geometry/validity/jacobian.h"
 
 namespace pliant {
@@ -22,13 +23,32 @@ QuickGoals::QuickGoals(const Mesh& mesh, const QualityGoals& goals) : mesh_(mesh
     area_bounds_.push_back(goals.area_bound(f));
   const double sine = std::sin(goals.min_angle * std::numbers::pi / 180);
   if (goals.min_angle > 0) squared_sine_ = sine * sine * (1 + margin);
+  bounds_turning_ = goals.max_turning < HUGE_VAL && mesh.degree() > 1;
+  if (bounds_turning_) least_cosine_ = std::cos(std::min(goals.max_turning / (mesh.degree() - 1), std::numbers::pi));
   is_known_ = !goals.size && goals.size_field == none;
+}
+
+/// Do the edges on curves surely turn by no more than they may? No leg of their polygons turns too much from the last.
+bool QuickGoals::turns_surely_little(TriangleId t) const {
+  for (int e = 0; e < 3; ++e) {
+    const HalfEdgeId h = half_edge(t, e);
+    if (!mesh_.is_constrained(h)) continue;
+    const auto leg = [&](int k) {
+      return mesh_.point(mesh_.edge_point(h, k + 1)) - mesh_.point(mesh_.edge_point(h, k));
+    };
+    for (int k = 1; k < mesh_.degree(); ++k)
+      if (!is_turn_within(leg(k - 1), leg(k), least_cosine_)) return false;
+  }
+  return true;
 }
 
 bool QuickGoals::are_surely_met(TriangleId t) const {
   if (!is_known_) return false;
   const HalfEdgeId h = half_edge(t, 0);
-  if (mesh_.is_constrained(h) || mesh_.is_constrained(next(h)) || mesh_.is_constrained(previous(h))) return false;
+  if (bounds_turning_ &&
+      (mesh_.is_constrained(h) || mesh_.is_constrained(next(h)) || mesh_.is_constrained(previous(h))) &&
+      !turns_surely_little(t))
+    return false;
   const auto net = mesh_.net(t);
   const Point &a = mesh_.point(net[0]), &b = mesh_.point(net[1]), &c = mesh_.point(net[2]);
   const Vector ab = b - a, bc = c - b, ca = a - c;
