@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <utility>
 
@@ -43,6 +44,8 @@ class Coarsener {
         chain_(mesh, limits_, slated_),
         memories_{RefusalMemory(mesh.point_slots()), RefusalMemory(mesh.point_slots())},
         changed_(index(mesh.point_slots()), 0) {}
+
+  void before_first_removal(std::function<void()> use) { chain_.before_first(std::move(use)); }
 
   PassReport run() {
     bool is_afresh = true;  // no vertices stuck in an earlier round are preferred: the first round of a new run
@@ -252,6 +255,7 @@ PassReport coarsen(Mesh& mesh, const CoarsenOptions& asked) {
   std::vector<bool> frozen(index(mesh.point_slots()), false);
   for (int attempt = 0;; ++attempt) {
     Coarsener coarsener(mesh, options, frozen);
+    if (left.any() && attempt == 0) coarsener.before_first_removal([&] { left.keep(mesh); });
     PassReport report = coarsener.run();
     if (!left.any() || coarsener.removed().empty()) return report;
     const std::vector<LeftByRefine::Awakened> awakened = left.awakened_in(mesh);

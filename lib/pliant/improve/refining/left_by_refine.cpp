@@ -45,7 +45,6 @@ LeftByRefine::LeftByRefine(const Mesh& before, const QualityGoals& goals) : goal
   const QuickGoals quick(before, goals);
   for (TriangleId t = 0; t < before.triangle_slots(); ++t)
     if (before.is_alive(t) && quick.attack_on(t).reason) attacked_.insert(corners_of(before, t));
-  if (!attacked_.empty()) before_ = before;
 }
 
 LeftByRefine::Corners LeftByRefine::corners_of(const Mesh& mesh, TriangleId t) {
