@@ -71,7 +71,8 @@ bool CurvatureTest::is_nearly_straight(std::span<const Point> net) const {
     offset = std::max(offset, squared);
   }
   const double longest = std::max({lengths[0], lengths[1], lengths[2]}), twice_area = cross(ca, ab);
-  if (!(longest < 1e280 && longest > 1e-280 && twice_area > 1e-6 * longest)) return false;
+  // Beyond these lengths products over- or underflow.
+  if (!(longest < 1e140 && longest > 1e-140 && twice_area > 1e-6 * longest)) return false;
   return 8 * std::sqrt(longest * offset) + 16 * offset + margin * longest <= most_change_ * twice_area;
 }
 

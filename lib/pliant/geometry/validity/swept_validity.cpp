@@ -208,6 +208,10 @@ double safe_fraction(int degree, std::span<const Point> from, std::span<const Po
   assert(1 <= degree && degree <= max_degree);
   assert(from.size() >= index(net_size(degree)) && to.size() >= index(net_size(degree)));
   if (degree == 2 && is_surely_positive(from, to)) return 1;
+  const auto count = static_cast<std::ptrdiff_t>(net_size(degree));
+  if (!std::all_of(from.begin(), from.begin() + count, is_finite) ||
+      !std::all_of(to.begin(), to.begin() + count, is_finite))
+    return 0;
   SweptJacobian jacobian;
   if (!sweep(degree, from, to, jacobian)) return 0;
   const auto size = static_cast<std::ptrdiff_t>(net_size(jacobian.degree));
