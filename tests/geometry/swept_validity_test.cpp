@@ -3,6 +3,7 @@
 
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <random>
 
 #include "pliant/geometry/validity/validity.h"
 #include "support/triangles.h"
@@ -117,4 +118,42 @@ TEST_CASE("an element with a cusp moves, though its corner is never valid", "[ge
   const double f = safe_fraction(2, from, crossed, 0);
   CHECK(f <= 0.5);
   CHECK(f >= 0.499);
+}
+
+TEST_CASE("the quick proof for quadratic elements agrees with the certificate at all times, at every size",
+          "[geometry][property]") {
+  std::mt19937_64 random(3);
+  std::uniform_real_distribution<double> noise(-1, 1);
+  int safe = 0, unsafe = 0;
+  for (int trial = 0; trial < 2000; ++trial) {
+    const auto from = random_valid_net(2, trial % 50);
+    auto to = from;
+    const double push = 2 * std::pow(5, -(trial % 5));
+    for (Point& p : to) p += push * Vector{noise(random), noise(random)};
+    const double fraction = safe_fraction(2, from, to);
+    CAPTURE(trial, push, fraction);
+    ++(fraction == 1 ? safe : unsafe);
+    for (int k = 0; k <= 16 && fraction == 1; ++k) REQUIRE(certify(2, between(from, to, k / 16.0)) == Validity::valid);
+    for (const int exponent : {-900, -500, -300, 300, 400}) {
+      auto small = from, moved = to;
+      for (Point& p : small) p *= std::ldexp(1.0, exponent);
+      for (Point& p : moved) p *= std::ldexp(1.0, exponent);
+      CHECK(safe_fraction(2, small, moved) == fraction);
+    }
+  }
+  CHECK(safe > 500);
+  CHECK(unsafe > 100);
+}
+
+TEST_CASE("a motion to a place that is not finite is not safe", "[geometry]") {
+  const int degree = GENERATE(range(1, 4));
+  const double bad = GENERATE(HUGE_VAL, -HUGE_VAL, std::nan(""));
+  const auto from = random_valid_net(degree, 1);
+  for (std::size_t n = 0; n < from.size(); ++n) {
+    auto to = from;
+    to[n].y = bad;
+    CAPTURE(degree, bad, n);
+    CHECK_FALSE(safe_fraction(degree, from, to) == 1);
+    CHECK_FALSE(safe_fraction(degree, to, from) == 1);
+  }
 }

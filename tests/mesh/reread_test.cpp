@@ -74,3 +74,73 @@ TEST_CASE("what no document can hold is refused", "[mesh]") {
     CHECK_THROWS_AS(reread(mesh), InputError);
   }
 }
+
+TEST_CASE("a mesh reread is settled until something in it changes, and rolled-back changes are none", "[mesh]") {
+  Mesh mesh(samples::three_disks(2));
+  Field field;
+  field.name = "u";
+  field.values.assign(static_cast<std::size_t>(mesh.point_slots()), 1);
+  mesh.set_field(field);
+  CHECK_FALSE(mesh.is_settled());
+  reread(mesh);
+  REQUIRE(mesh.is_settled());
+  const MeshData before = mesh.to_data();
+  {
+    Transaction transaction(mesh);
+    const TriangleId t = mesh.add_triangle(0);
+    mesh.set_net_point(t, 0, mesh.add_point());
+    mesh.set_point(0, {5, 5});
+    mesh.put_component(0, 0, 0, 0, 7);
+    Transaction inner(mesh);
+    mesh.free_triangle(0);
+    inner.commit();
+    CHECK_FALSE(mesh.is_settled());
+    CHECK_FALSE(mesh.is_compact());
+  }
+  CHECK(mesh.is_settled());
+  CHECK(mesh.is_compact());
+  CHECK(mesh.to_data().points == before.points);
+  CHECK(mesh.to_data().triangles == before.triangles);
+
+  SECTION("an inner roll-back does not hide what the outer transaction changed") {
+    Transaction transaction(mesh);
+    mesh.set_point(0, {5, 5});
+    {
+      Transaction inner(mesh);
+      mesh.put_component(0, 0, 0, 0, 7);
+    }
+    transaction.commit();
+    CHECK_FALSE(mesh.is_settled());
+    CHECK(mesh.is_compact());
+    const double size = mesh.size();
+    mesh.compact();
+    CHECK(mesh.size() > size);
+    CHECK_FALSE(mesh.is_settled());
+    reread(mesh);
+    CHECK(mesh.is_settled());
+  }
+  SECTION("a value") {
+    mesh.put_component(0, 0, 0, 0, HUGE_VAL);
+    CHECK_THROWS_AS(reread(mesh), std::domain_error);
+    CHECK_THROWS_AS(reread(mesh), std::domain_error);
+  }
+  SECTION("a place that was measured") {
+    mesh.set_point(0, {0, std::nan("")});
+    mesh.compact();
+    CHECK_THROWS_AS(reread(mesh), std::domain_error);
+  }
+  SECTION("a curve") {
+    mesh.set_removal_error(0, std::nan(""));
+    CHECK_THROWS_AS(reread(mesh), std::domain_error);
+  }
+  SECTION("a vertex of the boundary, or a whole curve") {
+    mesh.set_boundary_motion(0, mesh.spline(0));
+    CHECK_FALSE(mesh.is_settled());
+    reread(mesh);
+    CHECK(mesh.is_settled());
+  }
+  SECTION("time") {
+    mesh.time = HUGE_VAL;
+    CHECK_THROWS_AS(reread(mesh), std::domain_error);
+  }
+}

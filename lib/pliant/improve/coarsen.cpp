@@ -6,12 +6,14 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <utility>
 
 #include "pliant/geometry/index.h"
 #include "pliant/improve/coarsening/independent_set.h"
 #include "pliant/improve/coarsening/local_feature_size.h"
+#include "pliant/improve/coarsening/refusal_memory.h"
 #include "pliant/improve/coarsening/removal_chain.h"
 #include "pliant/improve/refining/left_by_refine.h"
 #include "pliant/mesh/hilbert_order.h"
@@ -40,9 +42,10 @@ class Coarsener {
                 accepted_shape(*options.goals),
                 options.uses_forecast},
         chain_(mesh, limits_, slated_),
-        changed_(index(mesh.point_slots()), 0) {
-    for (std::vector<Memory>& each : memories_) each.resize(index(mesh.point_slots()));
-  }
+        memories_{RefusalMemory(mesh.point_slots()), RefusalMemory(mesh.point_slots())},
+        changed_(index(mesh.point_slots()), 0) {}
+
+  void before_first_removal(std::function<void()> use) { chain_.before_first(std::move(use)); }
 
   PassReport run() {
     bool is_afresh = true;  // no vertices stuck in an earlier round are preferred: the first round of a new run
@@ -144,13 +147,13 @@ class Coarsener {
   }
 
   void remove(PointId v) {
-    if (remembers(v)) {
+    if (memories_[index(parity_)].is_refused(v, changed_, slated_)) {
       refused_.push_back(v);
       return;
     }
     const RemovalRefusal refusal = chain_.remove(v, roles_[index(v)] != VertexRole::inner);
     if (refusal.reason != nullptr) {
-      remember(v, refusal);
+      memories_[index(parity_)].note(v, refusal, clock_, chain_.decided_by(), slated_);
       refused_.push_back(v);
       return;
     }
@@ -161,27 +164,6 @@ class Coarsener {
     largest_error_ = std::max(largest_error_, chain_.error());
     integral_change_ = std::max(integral_change_, chain_.integral_change());
     note_changes();
-  }
-
-  /// Remembers a refusal, since the removal would be refused again as long as what decided it has not changed.
-  void remember(PointId v, const RemovalRefusal& refusal) {
-    Memory& memory = memories_[index(parity_)][index(v)];
-    memory.refusal = refusal;
-    memory.when = clock_;
-    memory.decided_by.clear();
-    std::vector<PointId>& by = decided_by_;
-    by.assign(chain_.decided_by().begin(), chain_.decided_by().end());
-    std::sort(by.begin(), by.end());
-    by.erase(std::unique(by.begin(), by.end()), by.end());
-    for (const PointId w : by) memory.decided_by.push_back(2 * w + (slated_[index(w)] ? 1 : 0));
-  }
-  bool remembers(PointId v) const {
-    const Memory& memory = memories_[index(parity_)][index(v)];
-    return memory.refusal.reason != nullptr &&
-           std::all_of(memory.decided_by.begin(), memory.decided_by.end(), [&](PointId noted) {
-             const PointId w = noted / 2;
-             return changed_[index(w)] <= memory.when && slated_[index(w)] == (noted % 2 != 0);
-           });
   }
 
   /// Notes what the last removal has changed, and queues the slated vertices there once more.
@@ -215,18 +197,12 @@ class Coarsener {
     report.add("integral_change", integral_change_);
     report.add("triangles", mesh_.triangle_count());
     for (const PointId v : refused_) {
-      const RemovalRefusal& refusal = memories_[index(parity_)][index(v)].refusal;
+      const RemovalRefusal& refusal = memories_[index(parity_)].refusal(v);
       report.refuse((refusal.is_refinement ? "would be refined again: " : "") + std::string(refusal.reason),
                     mesh_.point(v));
     }
     return report;
   }
-
-  struct Memory {
-    RemovalRefusal refusal;
-    long when = 0;
-    std::vector<PointId> decided_by;  // for each vertex twice its number, plus one if it was slated
-  };
 
   Mesh& mesh_;
   const CoarsenOptions& options_;
@@ -240,12 +216,11 @@ class Coarsener {
   RemovalChain::Limits limits_;
   RemovalChain chain_;
   // By vertex:
-  std::array<std::vector<Memory>, 2> memories_;  // one for even rounds and one for odd ones: every other round slates
-                                                 // much the same vertices
+  // One for even rounds and one for odd ones: every other round slates much the same vertices.
+  std::array<RefusalMemory, 2> memories_;
   int parity_ = 0;
   std::vector<long> changed_;  // the time (clock_) of the last change of its star
-  std::vector<PointId> decided_by_;
-  long clock_ = 0;  // counts removals
+  long clock_ = 0;             // counts removals
   long inner_removals_ = 0, curve_removals_ = 0;
   double largest_error_ = 0, integral_change_ = 0;
 };
@@ -280,6 +255,7 @@ PassReport coarsen(Mesh& mesh, const CoarsenOptions& asked) {
   std::vector<bool> frozen(index(mesh.point_slots()), false);
   for (int attempt = 0;; ++attempt) {
     Coarsener coarsener(mesh, options, frozen);
+    if (left.any() && attempt == 0) coarsener.before_first_removal([&] { left.keep(mesh); });
     PassReport report = coarsener.run();
     if (!left.any() || coarsener.removed().empty()) return report;
     const std::vector<LeftByRefine::Awakened> awakened = left.awakened_in(mesh);

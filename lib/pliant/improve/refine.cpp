@@ -65,9 +65,9 @@ class Round {
     most_ratio_ = 1 / (2 * std::sin(options.goals->min_angle * std::numbers::pi / 180));
   }
 
-  void run() {
-    tally_.left.clear();
-    for (TriangleId t = 0; t < mesh_.triangle_slots(); ++t) enqueue(t);
+  /// `bad`: what find_bad finds.
+  void run(const std::vector<TriangleId>& bad) {
+    for (const TriangleId t : bad) enqueue(t);
     while (!options_.max_insertions || tally_.points() < *options_.max_insertions) {
       const std::optional<AttackEntry> entry = queue_.pop();
       if (!entry) return;
@@ -269,22 +269,23 @@ void Round::exceed(const Attack& attack) const {
   throw TooManyTriangles(text + ", or allow more (--max-triangles)");
 }
 
-/// Removes what would keep poor triangles from being flipped.
-void tame_poor(Mesh& mesh, const RefineOptions& options, Tally& tally) {
-  const std::vector<TriangleId> poor = find_poor(mesh, *options.goals);
-  if (poor.empty()) return;
+/// Removes what would keep poor triangles from being flipped. False where none of `bad` is poor: nothing changes then.
+bool tame_poor(Mesh& mesh, const RefineOptions& options, const std::vector<TriangleId>& bad, Tally& tally) {
+  const std::vector<TriangleId> poor = find_poor(mesh, *options.goals, bad);
+  if (poor.empty()) return false;
   long most = options.max_triangles;  // the last cut may still make one or two more
   if (options.max_insertions) most = std::min(most, mesh.triangle_count() + *options.max_insertions - tally.points());
   const TameCounts tamed = Tamer(mesh, options.refit, tally.flips).tame(poor, most);
   tally.insertions += tamed.splits;
   tally.splits += tamed.curve_splits;
+  return true;
 }
 
-/// Elements that miss the goals.
-std::vector<TriangleId> find_left(const Mesh& mesh, const QualityGoals& goals) {
+/// Those of `bad` that miss the goals.
+std::vector<TriangleId> find_left(const Mesh& mesh, const QualityGoals& goals, const std::vector<TriangleId>& bad) {
   std::vector<TriangleId> left;
-  for (TriangleId t = 0; t < mesh.triangle_slots(); ++t)
-    if (mesh.is_alive(t) && attack_on(mesh, t, goals).reason) left.push_back(t);
+  for (const TriangleId t : bad)
+    if (attack_on(mesh, t, goals).reason) left.push_back(t);
   return left;
 }
 
@@ -313,20 +314,25 @@ PassReport refine(Mesh& mesh, const RefineOptions& asked) {
   if (!options.goals) options.goals = goals_of(mesh);
   if (options.progress != nullptr)
     options.progress->start("refine", "points", expected_insertions(mesh, *options.goals));
-  require_within_budget(mesh, *options.goals, options.max_triangles);
+  std::vector<TriangleId> bad = find_bad(mesh, *options.goals);
+  require_within_budget(mesh, *options.goals, options.max_triangles, bad);
   Tally tally;
   std::vector<TriangleId> left;
   long before = 0;
   do {
     before = tally.points();
-    tame_poor(mesh, options, tally);
-    Round(mesh, options, tally).run();
+    const bool is_tamed = tame_poor(mesh, options, bad, tally);
+    if (is_tamed) bad = find_bad(mesh, *options.goals);
+    tally.left.clear();
+    if (!bad.empty()) Round(mesh, options, tally).run(bad);
+    const bool is_unchanged = !is_tamed && tally.points() == before && mesh.is_compact();
     // With numbers in the order of insertion every later pass would jump from one end of the memory to the other.
     if ((tally.points() - before) * triangles_per_new_vertex > mesh.triangle_count())
       mesh.renumber();
     else
       mesh.compact();
-    left = find_left(mesh, *options.goals);
+    if (!is_unchanged) bad = find_bad(mesh, *options.goals);
+    left = find_left(mesh, *options.goals, bad);
   } while (!left.empty() && tally.points() > before);
   return report_of(mesh, left, tally);
 }

@@ -3,8 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
-#include "pliant/improve/refining/refine_attack.h"
+#include "pliant/improve/refining/quick_goals.h"
 #include "pliant/improve/refining/sharp_corners.h"
 #include "pliant/mesh/star.h"
 
@@ -38,13 +39,16 @@ bool crosses_thin_gap(const Mesh& mesh, HalfEdgeId h) {
 
 ThinGaps find_thin_gaps(const Mesh& mesh, const QualityGoals& goals) {
   ThinGaps gaps;
-  const SharpCorners corners(mesh);
+  const QuickGoals quick(mesh, goals);
+  std::optional<SharpCorners> corners;  // found when first asked for
   double most = 0;
   for (TriangleId t = 0; t < mesh.triangle_slots(); ++t) {
-    if (!mesh.is_alive(t) || !attack_on(mesh, t, goals).is_poor) continue;
+    if (!mesh.is_alive(t) || !quick.attack_on(t).is_poor) continue;
     const HalfEdgeId shortest = shortest_edge(mesh, t);
     const double longest = std::sqrt(std::max(squared(mesh, next(shortest)), squared(mesh, previous(shortest))));
-    if (!crosses_thin_gap(mesh, shortest) || corners.excuses(mesh, shortest, longest)) continue;
+    if (!crosses_thin_gap(mesh, shortest)) continue;
+    if (!corners) corners.emplace(mesh);
+    if (corners->excuses(mesh, shortest, longest)) continue;
     const double widths = longest / std::sqrt(squared(mesh, shortest));
     gaps.triangles += widths;
     if (widths <= most) continue;

@@ -140,21 +140,39 @@ LeastCount by_turning(const Mesh& mesh, const QualityGoals& goals) {
   return all;
 }
 
-}  // namespace
-
-LeastCount least_triangles(const Mesh& mesh, const QualityGoals& goals) {
+LeastCount least_triangles(const Mesh& mesh, const QualityGoals& goals, bool with_areas) {
   LeastCount most;
   const auto consider = [&most](LeastCount count) {
     if (count.triangles > most.triangles) most = std::move(count);
   };
-  if (goals.bounds_area()) consider(by_area(mesh, goals));
+  if (with_areas && goals.bounds_area()) consider(by_area(mesh, goals));
   if (goals.size) consider(by_size(mesh, goals));
   if (goals.max_turning < HUGE_VAL && mesh.degree() > 1) consider(by_turning(mesh, goals));
   return most;
 }
 
-void require_within_budget(const Mesh& mesh, const QualityGoals& goals, long max_triangles) {
-  const LeastCount least = least_triangles(mesh, goals);
+/// No less than what by_area counts, without a look at the elements that are not `bad`: each of them counts as one at
+/// most.
+double most_by_area(const Mesh& mesh, const QualityGoals& goals, const std::vector<TriangleId>& bad) {
+  double most = mesh.triangle_count();
+  std::array<Point, net_size(max_degree)> net;
+  for (const TriangleId t : bad) {
+    mesh.gather_points(t, net);
+    const double area = element_area(mesh.degree(), {net.data(), index(mesh.net_size())});
+    most += std::max(0.0, area / goals.area_bound(mesh.face(t)));
+  }
+  return most;
+}
+
+}  // namespace
+
+LeastCount least_triangles(const Mesh& mesh, const QualityGoals& goals) { return least_triangles(mesh, goals, true); }
+
+void require_within_budget(const Mesh& mesh, const QualityGoals& goals, long max_triangles,
+                           const std::vector<TriangleId>& bad) {
+  constexpr double rounding = 1e-6;  // relative, of a sum over all elements
+  const bool with_areas = !(most_by_area(mesh, goals, bad) < (1 - rounding) * static_cast<double>(max_triangles));
+  const LeastCount least = least_triangles(mesh, goals, with_areas);
   if (!(least.triangles > static_cast<double>(max_triangles))) return;
   throw TooManyTriangles("at least " + in_digits(least.triangles) + " triangles are asked for, by " + least.why +
                          "; at most " + std::to_string(max_triangles) +

@@ -2,6 +2,7 @@
 #pragma once
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "pliant/improve/sizing.h"
 
@@ -29,7 +30,11 @@ LeastCount least_triangles(const Mesh& mesh, const QualityGoals& goals);
 
 /// Does nothing where that bound is at most `max_triangles`.
 ///
+/// Requires    `bad` has every triangle whose area exceeds its bound
 /// Throws      TooManyTriangles where it is greater
-void require_within_budget(const Mesh& mesh, const QualityGoals& goals, long max_triangles);
+/// Complexity  where `max_triangles` is more than the mesh has, and `bad` are few: a look at each half-edge, unless the
+///             goals have a size function
+void require_within_budget(const Mesh& mesh, const QualityGoals& goals, long max_triangles,
+                           const std::vector<TriangleId>& bad);
 
 }  // namespace pliant

@@ -58,7 +58,7 @@ void Mesh::put_id(Log what, std::vector<Id>& array, std::size_t i, std::type_ide
   if (array[i] == value) return;
   log(what, i, static_cast<std::uint64_t>(static_cast<std::int64_t>(array[i])));
   array[i] = value;
-  changed_ = true;
+  stale_.numbering = true;
 }
 
 void Mesh::put_value(std::size_t field, std::size_t i, double value) {
@@ -66,6 +66,7 @@ void Mesh::put_value(std::size_t field, std::size_t i, double value) {
   log(static_cast<Log>(static_cast<std::uint32_t>(Log::value) + static_cast<std::uint32_t>(field)), i,
       std::bit_cast<std::uint64_t>(old));
   old = value;
+  stale_.numbers = true;
 }
 
 void Mesh::set_point(PointId p, const Point& position) {
@@ -73,6 +74,7 @@ void Mesh::set_point(PointId p, const Point& position) {
   log(Log::point_x, index(p), std::bit_cast<std::uint64_t>(old.x));
   log(Log::point_y, index(p), std::bit_cast<std::uint64_t>(old.y));
   old = position;
+  stale_.measures = true;
 }
 
 void Mesh::insert_place(std::uint64_t key, std::int32_t place) {
@@ -101,7 +103,7 @@ std::int32_t Mesh::make_place(PointId p, FaceId f) {
   }
   insert_place(place_key(p, f), place);
   log(Log::insert_place, 0, place_key(p, f));
-  changed_ = true;
+  stale_.numbering = true;
   return place;
 }
 
@@ -112,7 +114,7 @@ void Mesh::drop_place(PointId p, FaceId f) {
   free_places_.push_back(found->second);
   log(Log::push_place, 0, 0);
   erase_place(found);
-  changed_ = true;
+  stale_.numbering = true;
 }
 
 void Mesh::put_fields(PointId p, FaceId f, std::span<const double> row) {
@@ -136,7 +138,7 @@ void Mesh::put_row(PointId p, FaceId f, std::span<const double> row) {
 }
 
 PointId Mesh::add_point() {
-  changed_ = true;
+  stale_.numbering = true;
   if (!free_points_.empty()) {
     const PointId p = free_points_.back();
     free_points_.pop_back();
@@ -223,6 +225,7 @@ void Mesh::set_constraint_record(ConstraintId c, CurveId curve, double start, Po
   put_id(Log::constraint_first, constraint_firsts_, index(c), first);
   log(Log::constraint_start, index(c), std::bit_cast<std::uint64_t>(constraint_starts_[index(c)]));
   constraint_starts_[index(c)] = start;
+  stale_.numbering = true;
 }
 
 void Mesh::free_constraint(ConstraintId c) {
@@ -254,6 +257,7 @@ void Mesh::forget_stale_pinches() {
 template <class Change>
 void Mesh::edit_curve(CurveId c, const Change& change) {
   const std::size_t before = curve_edits_.size();
+  stale_.numbers = true;
   change(boundary_.curves[index(c)].spline, recording_ > 0 ? &curve_edits_ : nullptr);
   for (std::size_t k = before; k < curve_edits_.size(); ++k) log(Log::curve_edit, index(c), 0);
 }
@@ -276,6 +280,7 @@ void Mesh::set_removal_error(CurveId c, double error) {
   double& old = boundary_.curves[index(c)].removal_error;
   log(Log::removal_error, index(c), std::bit_cast<std::uint64_t>(old));
   old = error;
+  stale_.numbers = true;
 }
 
 // -- whole-mesh changes, not recorded
@@ -283,8 +288,17 @@ void Mesh::set_removal_error(CurveId c, double error) {
 void Mesh::set_points(std::vector<Point> points) {
   assert(recording_ == 0 && points.size() == points_.size());
   points_ = std::move(points);
+  stale_.measures = true;
 }
 
-void Mesh::set_boundary_motion(CurveId c, BSpline spline) { boundary_.curves[index(c)].spline = std::move(spline); }
+void Mesh::set_boundary_motion(CurveId c, BSpline spline) {
+  boundary_.curves[index(c)].spline = std::move(spline);
+  stale_.numbers = true;
+}
+
+void Mesh::set_boundary_vertex(int v, const Point& p) {
+  boundary_.vertices[index(v)] = p;
+  stale_.numbers = true;
+}
 
 }  // namespace pliant

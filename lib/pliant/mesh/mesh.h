@@ -32,8 +32,16 @@ class Mesh {
   explicit Mesh(MeshData data);
   /// The document of this mesh; slots are renumbered in order. Complexity O(mesh).
   MeshData to_data() const;
-  /// Drops the free slots (see above); size() and tolerance() are measured anew. Complexity O(mesh).
+  /// Drops the free slots (see above); size() and tolerance() are measured anew. Does nothing where nothing has
+  /// changed. Complexity O(mesh).
   void compact();
+  /// True if no slot is free and the numbering is that of the document, so that `compact` renumbers nothing.
+  bool is_compact() const { return !stale_.numbering; }
+  /// Has nothing but `time`, `criteria` and `extra` changed since `settle`? Changes that were rolled back are none.
+  bool is_settled() const { return !stale_.numbering && !stale_.measures && !stale_.numbers; }
+  /// Notes that the mesh is what a reader of its document gets, for `reread`.   Requires    that nothing has changed
+  /// since it was made or compacted
+  void settle() { stale_.numbers = false; }
   /// Compacts, and numbers triangles and points so that neighbours are near (see renumber_along_hilbert).
   /// Complexity O(mesh * log).
   void renumber();
@@ -113,6 +121,8 @@ class Mesh {
   Criteria criteria;
   ExtraMembers extra;
   Box box() const;  ///< of all control points
+  /// box() when the mesh was made or last compacted.
+  const Box& measured_box() const { return measured_box_; }
   /// The diagonal of box() when the mesh was made or last compacted: tolerances are relative to it.
   double size() const { return size_; }
   /// Places closer than this are the same up to rounding (Box::tolerance of the same box).
@@ -152,7 +162,7 @@ class Mesh {
   /// Moves all control points, curves or vertices of the boundary complex (motion); not recorded.
   void set_points(std::vector<Point> points);
   void set_boundary_motion(CurveId c, BSpline spline);
-  void set_boundary_vertex(int v, const Point& p) { boundary_.vertices[index(v)] = p; }
+  void set_boundary_vertex(int v, const Point& p);
 
  private:
   friend class Transaction;
@@ -188,6 +198,7 @@ class Mesh {
   int net_size_ = 6;
   int width_ = 2;
   double size_ = 0, tolerance_ = 0;
+  Box measured_box_;
   int triangle_count_ = 0;
   const NetLayout* layout_ = &NetLayout::of(2);
   std::vector<Point> points_;
@@ -228,14 +239,21 @@ class Mesh {
   std::vector<LogEntry> log_;
   BSpline::Edits curve_edits_;  // in the order of their entries in the log
   int recording_ = 0;           // how many transactions are open
-  bool changed_ = false;        // more than positions and values has changed: compact must derive the mesh anew
+  /// What has changed, so that `compact` and `reread` do only what there is to do. A transaction that is rolled back
+  /// restores it.
+  struct Stale {
+    bool numbering = false;  // more than positions and values has changed: compact must derive the mesh anew
+    bool measures = false;   // a control point has moved since size() was measured
+    bool numbers = false;    // some number is not what it was when `settle` was called
+  };
+  Stale stale_;
 };
 
 /// All changes of a mesh between construction and `commit`; without commit, or after `roll_back`, the mesh is bit for
 /// bit as it was. Transactions nest: an inner one may be rolled back alone.
 class Transaction {
  public:
-  explicit Transaction(Mesh& mesh) : mesh_(mesh), mark_(mesh.log_.size()) { ++mesh_.recording_; }
+  explicit Transaction(Mesh& mesh) : mesh_(mesh), mark_(mesh.log_.size()), stale_(mesh.stale_) { ++mesh_.recording_; }
   ~Transaction() {
     if (open_) roll_back();
   }
@@ -247,6 +265,7 @@ class Transaction {
  private:
   Mesh& mesh_;
   std::size_t mark_;
+  Mesh::Stale stale_;  // as it was before
   bool open_ = true;
 };
 

@@ -129,6 +129,8 @@ void Transaction::roll_back() {
   open_ = false;
   mesh_.undo(mark_);
   --mesh_.recording_;
+  // Half-edges that were noted at pinched vertices stay noted: such a mesh is derived anew.
+  if (mesh_.changed_pinches_.empty()) mesh_.stale_ = stale_;
 }
 
 }  // namespace pliant

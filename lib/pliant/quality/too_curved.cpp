@@ -19,14 +19,6 @@ constexpr double margin = 1e-9;       // what is_surely_fine proves holds with t
 constexpr double range_width = 1e-3;  // relative width of the bounds of det J: the same as in scaled_jacobian
 constexpr double worst_valid = 0.999 * tangled_excess;  // the excess of a certified element is at most this
 
-/// True if the cosine of the angle is at least `least`; false if squares over- or underflow.
-bool is_turn_within(const Vector& from, const Vector& to, double least) {
-  const double product = dot(from, to), squares = squared_length(from) * squared_length(to);
-  if (!(squares > 0) || !std::isfinite(squares)) return false;
-  const double signed_square = product * std::fabs(product);
-  return signed_square >= (least * std::fabs(least) + margin) * squares;
-}
-
 /// The largest turning of the edges that are not fixed.
 double turning_of(int degree, std::span<const Point> net, unsigned fixed) {
   if (fixed == 0) return element_turning(degree, net);
@@ -47,7 +39,42 @@ CurvatureTest::CurvatureTest(int degree, const CurvatureBounds& bounds)
     : degree_(degree),
       bounds_(bounds),
       // A curve turns by no more than its control polygon (Bernstein polynomials diminish variation).
-      least_cosine_(degree > 1 ? std::cos(std::min(bounds.max_turning / (degree - 1), std::numbers::pi)) : -1) {}
+      least_cosine_(degree > 1 ? std::cos(std::min(bounds.max_turning / (degree - 1), std::numbers::pi)) : -1),
+      most_change_(greatest_change(bounds)),
+      // Each leg is off the chord by an angle whose sine is at most the offset over half the chord.
+      most_offset_((1 - margin) / 2 * std::sin(std::min(bounds.max_turning, std::numbers::pi) / 2)) {}
+
+// A quadratic element differs from its straight triangle by the offsets d of its edges' middle points from those of the
+// chords. With T twice the triangle's area, L its longest side and r = (8 L |d| + 16 |d|^2) / T, all coefficients of
+// det J are within r T of T, and those of the other form (element_forms.h) within sqrt(3) r of its constant value,
+// relatively, since that is at least sqrt(3) T. So r decides all measures but the turning.
+double CurvatureTest::greatest_change(const CurvatureBounds& bounds) {
+  const double peak = (bounds.max_peak - 1) / (bounds.max_peak + 1);
+  const double scaled = (1 - bounds.min_scaled_jacobian) / (1 + bounds.min_scaled_jacobian);
+  const double shape = (1 - bounds.min_shape_ratio) / (1 + std::numbers::sqrt3 * bounds.min_shape_ratio);
+  const double spread = std::sqrt(std::max(bounds.max_distortion - 1, 0.0));  // D - 1 <= (r / (1 - r))^2
+  return std::min({peak, scaled, shape, spread / (1 + spread)}) * (1 - margin);
+}
+
+/// Proves quickly that a quadratic element is fine where it differs little from a straight triangle; false proves
+/// nothing.
+bool CurvatureTest::is_nearly_straight(std::span<const Point> net) const {
+  if (degree_ != 2) return false;
+  const Point &a = net[0], &b = net[1], &c = net[2];
+  const Vector ab = b - a, bc = c - b, ca = a - c;
+  const double lengths[3] = {squared_length(ab), squared_length(bc), squared_length(ca)};
+  const Vector offsets[3] = {(net[3] - a) - 0.5 * ab, (net[4] - b) - 0.5 * bc, (net[5] - c) - 0.5 * ca};
+  double offset = 0;
+  for (std::size_t e = 0; e < 3; ++e) {
+    const double squared = squared_length(offsets[e]);
+    if (!(squared <= most_offset_ * most_offset_ * lengths[e])) return false;
+    offset = std::max(offset, squared);
+  }
+  const double longest = std::max({lengths[0], lengths[1], lengths[2]}), twice_area = cross(ca, ab);
+  // Beyond these lengths products over- or underflow.
+  if (!(longest < 1e140 && longest > 1e-140 && twice_area > 1e-6 * longest)) return false;
+  return 8 * std::sqrt(longest * offset) + 16 * offset + margin * longest <= most_change_ * twice_area;
+}
 
 double CurvatureTest::excess(std::span<const Point> net, unsigned fixed) const {
   ElementForms forms;

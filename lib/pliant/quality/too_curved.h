@@ -32,15 +32,23 @@ class CurvatureTest {
   /// It is infinite if control points are not finite. The turning of edge k does not count if bit k of `fixed` is set.
   double excess(std::span<const Point> net, unsigned fixed = 0) const;
   /// excess(net) <= 1, at a fraction of the cost if the bounds hold by far.
-  bool is_fine(std::span<const Point> net) const { return is_surely_fine(net) || excess(net) <= 1; }
+  bool is_fine(std::span<const Point> net) const {
+    return is_nearly_straight(net) || is_surely_fine(net) || excess(net) <= 1;
+  }
   /// True if the coefficients of det J suffice to prove excess(net, fixed) <= 1.
   bool is_surely_fine(std::span<const Point> net, unsigned fixed = 0) const;
 
  private:
+  static double greatest_change(const CurvatureBounds& bounds);
+  bool is_nearly_straight(std::span<const Point> net) const;
+
   int degree_;
   CurvatureBounds bounds_;
   // An edge turns by no more than its bound if no angle between consecutive legs of its polygon has a smaller cosine.
   double least_cosine_;
+  double most_change_ =
+      0;  // of a quadratic element's det J from that of its straight triangle, as a share of the latter
+  double most_offset_ = 0;  // of the middle control point of a quadratic edge from the chord's middle, as a share of it
 };
 
 /// CurvatureTest::excess of one element.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <queue>
 #include <utility>
 
@@ -13,57 +14,76 @@ namespace {
 
 constexpr double rim = 1.6;           // the next vertices are looked for within so many radii of a chosen one
 constexpr double along_curve = 0.97;  // length of the edges that are chosen on curves, in wanted lengths, at factor 1
+constexpr double margin = 1e-9;       // relative: what squares tell, roots and quotients tell too
 constexpr double in_plane = 0.8;      // least distance of two chosen inner vertices, in wanted lengths, at factor 1
 
+/// All numbers of vertices are those of the graph.
 class Chooser {
  public:
   Chooser(const Mesh& mesh, const VertexGraph& graph, const std::vector<VertexRole>& roles,
           const std::vector<double>& spacing, double factor)
-      : mesh_(mesh),
-        graph_(graph),
-        roles_(roles),
-        spacing_(spacing),
-        factor_(factor),
-        chosen_(roles.size(), false),
-        shut_out_(roles.size(), false),
-        visited_(roles.size(), none) {}
+      : graph_(graph), factor_(factor) {
+    nodes_.reserve(index(graph.count()));
+    for (int k = 0; k < graph.count(); ++k) {
+      const PointId v = graph.vertex(k);
+      Node node;
+      node.place = mesh.point(v);
+      node.spacing = spacing[index(v)];
+      node.role = roles[index(v)];
+      nodes_.push_back(node);
+    }
+  }
 
-  std::vector<bool> run(const std::vector<CurveChain>& chains, const std::vector<PointId>& preferred) {
+  std::vector<bool> run(const std::vector<CurveChain>& chains, const std::vector<PointId>& preferred, int slots) {
     for (const CurveChain& chain : chains) choose_along(chain);
-    for (PointId v = 0; v < mesh_.point_slots(); ++v)
-      if (mesh_.is_vertex(v) && (roles_[index(v)] == VertexRole::kept || chosen_[index(v)])) choose(v);
+    for (int k = 0; k < graph_.count(); ++k)
+      if (nodes_[index(k)].role == VertexRole::kept || nodes_[index(k)].is_chosen) choose(k);
     for (const PointId v : preferred)
-      if (is_candidate(v)) choose(v);
+      if (const int k = graph_.number(v); k != none && is_candidate(k)) choose(k);
     advance();
-    for (PointId v = 0; v < mesh_.point_slots(); ++v) {  // vertices that no front has reached
-      if (!is_candidate(v)) continue;
-      choose(v);
+    for (int k = 0; k < graph_.count(); ++k) {  // vertices that no front has reached
+      if (!is_candidate(k)) continue;
+      choose(k);
       advance();
     }
-    return std::move(chosen_);
+    std::vector<bool> chosen(index(slots), false);
+    for (int k = 0; k < graph_.count(); ++k) chosen[index(graph_.vertex(k))] = nodes_[index(k)].is_chosen;
+    return chosen;
   }
 
  private:
-  bool is_candidate(PointId v) const {
-    return mesh_.is_vertex(v) && roles_[index(v)] == VertexRole::inner && !chosen_[index(v)] && !shut_out_[index(v)];
+  /// What the choice reads and notes of a vertex, together in memory since the choice goes through the mesh in no
+  /// order.
+  struct Node {
+    Point place;
+    double spacing = 0;
+    float queued = std::numeric_limits<float>::infinity();  ///< no more than the least ratio at which it is queued
+    int visited = none;
+    VertexRole role = VertexRole::inner;
+    bool is_chosen = false, is_shut_out = false;
+  };
+
+  bool is_candidate(int k) const {
+    const Node& node = nodes_[index(k)];
+    return node.role == VertexRole::inner && !node.is_chosen && !node.is_shut_out;
   }
-  double far(PointId v, PointId w) const { return quick_distance(mesh_.point(v), mesh_.point(w)); }
+  Node& node_of(PointId v) { return nodes_[index(graph_.number(v))]; }
 
   /// Chooses vertices along a curve, in even steps of wanted lengths between the vertices that are kept.
   void choose_along(const CurveChain& chain) {
     const auto count = chain.vertices.size();
     if (count < 3) return;
     std::size_t first = 0;
-    while (first < count && roles_[index(chain.vertices[first])] != VertexRole::kept) ++first;
+    while (first < count && node_of(chain.vertices[first]).role != VertexRole::kept) ++first;
     if (first == count) first = 0;
-    chosen_[index(chain.vertices[first])] = true;
+    node_of(chain.vertices[first]).is_chosen = true;
     const std::size_t last = chain.closed ? first + count : count - 1;
     std::size_t from = first;
     std::vector<double> run{0};  // from `from`, in wanted lengths
     for (std::size_t k = first + 1; k <= last; ++k) {
-      const PointId v = chain.vertices[k % count], u = chain.vertices[(k - 1) % count];
-      run.push_back(run.back() + 2 * far(u, v) / (spacing_[index(u)] + spacing_[index(v)]));
-      if (roles_[index(v)] != VertexRole::kept && k != last) continue;
+      const Node &v = node_of(chain.vertices[k % count]), &u = node_of(chain.vertices[(k - 1) % count]);
+      run.push_back(run.back() + 2 * quick_distance(u.place, v.place) / (u.spacing + v.spacing));
+      if (v.role != VertexRole::kept && k != last) continue;
       const double all = run.back();
       const int least = chain.closed && from == first && k == last ? 3 : 1;
       const int steps = std::max(least, static_cast<int>(std::lround(all / (along_curve * factor_))));
@@ -71,49 +91,68 @@ class Chooser {
         const double place = all * s / steps;
         auto near = static_cast<std::size_t>(std::lower_bound(run.begin(), run.end(), place) - run.begin());
         if (near > 0 && place - run[near - 1] < run[near] - place) --near;
-        chosen_[index(chain.vertices[(from + near) % count])] = true;
+        node_of(chain.vertices[(from + near) % count]).is_chosen = true;
       }
       from = k;
       run.assign(1, 0);
     }
   }
 
-  /// Chooses v and shuts out the inner vertices in its sphere. Those a little further out are queued to be chosen next.
-  void choose(PointId v) {
-    chosen_[index(v)] = true;
-    front_.assign(1, v);
-    visited_[index(v)] = v;
+  /// Chooses a vertex and shuts out the inner vertices in its sphere. Those a little further out are queued to be
+  /// chosen next.
+  void choose(int chosen) {
+    Node& center = nodes_[index(chosen)];
+    center.is_chosen = true;
+    center.visited = chosen;
+    front_.assign(1, chosen);
     for (std::size_t k = 0; k < front_.size(); ++k) {
-      for (const PointId w : graph_.around(front_[k])) {
-        if (visited_[index(w)] == v) continue;
-        visited_[index(w)] = v;
-        const double ratio = far(v, w) / (in_plane * factor_ * (spacing_[index(v)] + spacing_[index(w)]) / 2);
+      for (const int near : graph_.around(front_[k])) {
+        Node& node = nodes_[index(near)];
+        if (node.visited == chosen) continue;
+        node.visited = chosen;
+        const double reach = in_plane * factor_ * (center.spacing + node.spacing) / 2;
+        // Where the squares tell on which side of a bound the ratio is, no root is taken.
+        const double squared = squared_length(node.place - center.place), unit = reach * reach;
+        const bool is_telling = squared > 1e-280 && unit > 1e-280 && squared < 1e280;
+        if (is_telling && squared > rim * rim * (1 + margin) * unit) continue;
+        if (is_telling && squared < (1 - margin) * unit) {
+          front_.push_back(near);
+          node.is_shut_out = true;
+          continue;
+        }
+        const double ratio = quick_distance(center.place, node.place) / reach;
         if (!(ratio < rim)) continue;
-        front_.push_back(w);
+        front_.push_back(near);
         if (ratio < 1)
-          shut_out_[index(w)] = true;
-        else if (is_candidate(w))
-          queue_.push({ratio, w});
+          node.is_shut_out = true;
+        else if (is_candidate(near))
+          enqueue(near, ratio);
       }
     }
   }
 
+  /// Queues a candidate, unless it is queued already at a ratio that surely is no greater: then that one decides.
+  void enqueue(int k, double ratio) {
+    Node& node = nodes_[index(k)];
+    const auto rounded = static_cast<float>(ratio);
+    if (node.queued < rounded) return;
+    node.queued = rounded;
+    queue_.push({ratio, k});
+  }
+
   void advance() {
     while (!queue_.empty()) {
-      const PointId v = queue_.top().second;
+      const int k = queue_.top().second;
       queue_.pop();
-      if (is_candidate(v)) choose(v);
+      if (is_candidate(k)) choose(k);
     }
   }
 
-  using Item = std::pair<double, PointId>;
-  const Mesh& mesh_;
+  using Item = std::pair<double, int>;
   const VertexGraph& graph_;
-  const std::vector<VertexRole>& roles_;
-  const std::vector<double>& spacing_;
   double factor_;
-  std::vector<bool> chosen_, shut_out_;
-  std::vector<PointId> visited_, front_;
+  std::vector<Node> nodes_;
+  std::vector<int> front_;
   std::priority_queue<Item, std::vector<Item>, std::greater<>> queue_;
 };
 
@@ -122,7 +161,7 @@ class Chooser {
 std::vector<bool> independent_set(const Mesh& mesh, const VertexGraph& graph, const std::vector<CurveChain>& chains,
                                   const std::vector<VertexRole>& roles, const std::vector<double>& spacing,
                                   const std::vector<PointId>& preferred, double factor) {
-  return Chooser(mesh, graph, roles, spacing, factor).run(chains, preferred);
+  return Chooser(mesh, graph, roles, spacing, factor).run(chains, preferred, mesh.point_slots());
 }
 
 }  // namespace pliant

@@ -31,16 +31,20 @@ int LogicalPatch::bring_in(TriangleId t) {
   copy.triangle = t;
   for (int e = 0; e < 3; ++e) {
     const HalfEdgeId h = half_edge(t, e), g = mesh_.twin(h);
-    if (measures_) bend_ = std::max(bend_, std::sqrt(squared_bend(mesh_, h)));
+    if (measures_) squared_bend_ = std::max(squared_bend_, squared_bend(mesh_, h));
     copy.corners[index(e)] = mesh_.origin(h);
     copy.is_constrained[index(e)] = mesh_.is_constrained(h);
     copy.beyond[index(e)] = g == none ? wall : outside_piece(g);
-    for (int p = 0; p < now; ++p)
-      for (int f = 0; f < 3; ++f)
-        if (piece(p).is_alive && piece(p).beyond[index(f)] == outside_piece(h)) {
-          piece(p).beyond[index(f)] = now;
-          copy.beyond[index(e)] = p;
-        }
+  }
+  for (int p = 0; p < now; ++p) {
+    Piece& other = piece(p);
+    for (std::size_t f = 0; f < 3 && other.is_alive; ++f) {
+      if (other.beyond[f] >= wall) continue;
+      const HalfEdgeId h = half_edge_of(other.beyond[f]);
+      if (triangle_of(h) != t) continue;
+      other.beyond[f] = now;
+      copy.beyond[index(edge_of(h))] = p;
+    }
   }
   pieces_.push_back(copy);
   return now;

@@ -2,6 +2,7 @@
 // tried.
 #pragma once
 #include <array>
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -43,7 +44,7 @@ class LogicalPatch {
   void start(bool measures = false) {
     pieces_.clear();
     moved_.clear();
-    bend_ = 0;
+    squared_bend_ = 0;
     measures_ = measures;
   }
   /// Removes a vertex that is on no curve as `remove_inner_vertex` would, then flips the sides that are not Delaunay.
@@ -63,7 +64,7 @@ class LogicalPatch {
   const std::vector<Piece>& pieces() const { return pieces_; }
   /// The greatest bend of the edges of all copied elements: how far a control point is from where it would be if its
   /// edge were straight.
-  double bend() const { return bend_; }
+  double bend() const { return std::sqrt(squared_bend_); }
 
  private:
   Piece& piece(int p) { return pieces_[static_cast<std::size_t>(p)]; }
@@ -86,7 +87,7 @@ class LogicalPatch {
   std::vector<Piece> pieces_;
   std::vector<std::pair<PointId, Point>> moved_;
   Star star_;
-  double bend_ = 0;
+  double squared_bend_ = 0;
   bool measures_ = false;
   std::vector<int> ring_;  // the pieces around a vertex, which is their corner 0, counter-clockwise
   std::vector<int> hole_;  // the pieces that were around the removed vertex

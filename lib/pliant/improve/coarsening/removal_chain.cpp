@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "pliant/geometry/index.h"
 #include "pliant/quality/element/element_quality.h"
@@ -67,10 +68,16 @@ RemovalRefusal RemovalChain::remove(PointId v, bool is_on_curve) {
     if (chained_.size() == most_chained) break;
   }
   if (refusal.reason == nullptr && is_misshapen()) refusal = {"would be misshapen"};
-  if (refusal.reason == nullptr)
-    transaction.commit();
-  else
+  if (refusal.reason != nullptr) {
     note_corners(around_);
+    return refusal;
+  }
+  if (before_first_) {
+    transaction.roll_back();
+    std::exchange(before_first_, nullptr)();
+    return remove(v, is_on_curve);
+  }
+  transaction.commit();
   return refusal;
 }
 

@@ -28,6 +28,10 @@ class RemovalChain {
   /// `slated`: by point slot, true for vertices that may be removed. All references are kept.
   RemovalChain(Mesh& mesh, const Limits& limits, const std::vector<bool>& slated);
 
+  /// Has `use` called once, with the mesh as it was, before the first removal that is not refused. That removal is made
+  /// twice, since only then is it known.
+  void before_first(std::function<void()> use) { before_first_ = std::move(use); }
+
   /// Removes v, and then other slated vertices as long as there are elements that refine would attack and would not
   /// have before. Refused, with the mesh as it was, where such elements remain, or where the least shape of the
   /// elements that change would fall below what is accepted, or below half of what it was.
@@ -62,6 +66,7 @@ class RemovalChain {
   const Limits& limits_;
   const std::vector<bool>& slated_;
   RemovalForecast forecast_;
+  std::function<void()> before_first_;
   std::vector<PointId> chained_, link_, chain_, along_curves_, decided_by_;
   std::vector<TriangleId> around_, changed_;
   std::vector<Corners> attacked_;  // the elements that refine would have attacked before

@@ -15,6 +15,12 @@ namespace pliant {
 namespace {
 
 constexpr double slack = 1e-9;  // relative; by so much the forecast is milder than refine, because of rounding
+// The area between an edge and its chord is at most this share of the product of the chord's length and the edge's
+// bend: of a parabola, and of any edge.
+constexpr double parabola = (1 + slack) / 3, segment = 1.5;
+
+constexpr const char* too_large = "too large";
+constexpr const char* too_poor = "too poor";
 
 }  // namespace
 
@@ -66,15 +72,19 @@ bool RemovalForecast::is_surely_poor(const Point& a, const Point& b, const Point
   return twice_area * twice_area < least_sine_ * least_sine_ * product;
 }
 
-/// Is an element on this triangle surely too large? Its area differs from that of the triangle by less than the lengths
-/// of its sides times how far they are off their chords. No flip makes that larger, but the removal of a knot may.
+/// Is the area of an element on this triangle surely above the bound? It differs from that of the triangle by less than
+/// the lengths of its sides times `share` of how far they are off their chords. No flip makes that larger, but the
+/// removal of a knot may.
+bool RemovalForecast::exceeds_area(FaceId face, const Point& a, const Point& b, const Point& c, double share) const {
+  if (!bounds_area_ || !foreseen_.curves.empty()) return false;
+  const double around = distance(a, b) + distance(b, c) + distance(c, a);
+  const double least = cross(b - a, c - a) / 2 - share * patch_.bend() * around;
+  return least > (1 + slack) * goals_.area_bound(face);
+}
+
 bool RemovalForecast::is_surely_large(FaceId face, const LogicalPatch::Corners& corners, const Point& a, const Point& b,
                                       const Point& c) const {
-  if (bounds_area_ && foreseen_.curves.empty()) {
-    const double around = distance(a, b) + distance(b, c) + distance(c, a);
-    const double least = cross(b - a, c - a) / 2 - 1.5 * patch_.bend() * around;
-    if (least > (1 + slack) * goals_.area_bound(face)) return true;
-  }
+  if (exceeds_area(face, a, b, c, segment)) return true;
   if (!goals_.size && goals_.size_field == none) return false;
   double wanted = goals_.length_at((1.0 / 3) * (a + b + c), mesh_.time);
   if (goals_.size_field != none) {
@@ -104,41 +114,61 @@ const char* RemovalForecast::reason_of(const LogicalPatch::Piece& piece) const {
   if (!piece.is_alive || !(piece.is_new || has_moved)) return nullptr;
   const Point &a = patch_.place(piece.corners[0]), &b = patch_.place(piece.corners[1]),
               &c = patch_.place(piece.corners[2]);
-  const char* reason = is_surely_large(piece.face, piece.corners, a, b, c) ? "too large"
-                       : is_poor_asked_ && is_surely_poor(a, b, c)         ? "too poor"
+  const char* reason = is_surely_large(piece.face, piece.corners, a, b, c) ? too_large
+                       : is_poor_asked_ && is_surely_poor(a, b, c)         ? too_poor
                                                                            : nullptr;
   if (reason == nullptr || piece.is_new) return reason;
   return attack_reason(mesh_, piece.triangle, goals_) ? nullptr : reason;
 }
 
+/// After one removal: is there a new element, with no slated corner, that a closer bound shows to be surely too large?
+/// Then the removal is refused, and for that reason, unless another one can come before it, as it may beside curves.
+bool RemovalForecast::leaves_too_large() const {
+  if (mesh_.degree() != 2) return false;
+  bool any = false;
+  for (const LogicalPatch::Piece& piece : patch_.pieces()) {
+    if (!piece.is_alive || !piece.is_new) continue;
+    if (piece.is_constrained[0] || piece.is_constrained[1] || piece.is_constrained[2]) return false;
+    const std::array<Point, 3> places{patch_.place(piece.corners[0]), patch_.place(piece.corners[1]),
+                                      patch_.place(piece.corners[2])};
+    any = any || (exceeds_area(piece.face, places[0], places[1], places[2], parabola) &&
+                  find_culprit(mesh_, piece.corners, places, slated_).vertex == none);
+  }
+  return any;
+}
+
 RemovalRefusal RemovalForecast::of(PointId v) {
   patch_.start(bounds_area_);
   foreseen_.clear();
-  Transaction trial(mesh_);  // the curves change; rolled back at the end
-  RemovalRefusal last;
+  Transaction trial(mesh_);        // the curves change; rolled back at the end
+  RemovalRefusal last, otherwise;  // `otherwise`: what is known where the chain itself does not tell
   int removed = 0;
   for (PointId w = v;;) {
     Outcome refusal = Outcome::done;
     const LogicalPatch::Outcome outcome = remove(w, refusal);
-    if (outcome == LogicalPatch::Outcome::unknown) return {};
+    if (outcome == LogicalPatch::Outcome::unknown) return otherwise;
     if (outcome == LogicalPatch::Outcome::stuck) {
       if (w == v) return {describe(refusal)};
-      if (refusal == Outcome::edge_exists) return {};
+      if (refusal == Outcome::edge_exists) return otherwise;
       return last;
     }
     last = {};
+    bool is_any_poor = false;
     Culprit first;
     for (const LogicalPatch::Piece& piece : patch_.pieces()) {
       const char* reason = reason_of(piece);
       if (reason == nullptr) continue;
       last = {reason, true};
+      is_any_poor = is_any_poor || reason == too_poor;
       const std::array<Point, 3> places{patch_.place(piece.corners[0]), patch_.place(piece.corners[1]),
                                         patch_.place(piece.corners[2])};
       const Culprit culprit = find_culprit(mesh_, piece.corners, places, slated_);
       if (culprit.vertex == none) return last;
       first = std::min(first, culprit);
     }
-    if (last.reason == nullptr || ++removed == most_chained) return last;
+    if (w == v && !is_any_poor && leaves_too_large()) otherwise = {too_large, true};
+    if (last.reason == nullptr) return otherwise;
+    if (++removed == most_chained) return last;
     w = first.vertex;
   }
 }

@@ -64,6 +64,8 @@ class RemovalForecast {
  private:
   const char* reason_of(const LogicalPatch::Piece& piece) const;
   bool is_surely_poor(const Point& a, const Point& b, const Point& c) const;
+  bool exceeds_area(FaceId face, const Point& a, const Point& b, const Point& c, double share) const;
+  bool leaves_too_large() const;
   bool is_surely_large(FaceId face, const LogicalPatch::Corners& corners, const Point& a, const Point& b,
                        const Point& c) const;
   LogicalPatch::Outcome remove(PointId w, Outcome& reason);

@@ -69,12 +69,17 @@ std::vector<double> wanted_spacing(const Mesh& mesh, const VertexGraph& graph, c
   std::vector<double> spacing = bounds;
   spacing.resize(index(mesh.point_slots()), HUGE_VAL);
   const auto lower = [&spacing](PointId v, double wanted) { spacing[index(v)] = std::min(spacing[index(v)], wanted); };
-  for (TriangleId t = 0; t < mesh.triangle_slots(); ++t)
-    if (mesh.is_alive(t))
-      for (int c = 0; c < 3; ++c)
-        lower(mesh.corner(t, c), std::min(goals.length_for_area(mesh.face(t)), goals.length_by_field(mesh, t, c)));
-  for (PointId v = 0; v < mesh.point_slots(); ++v)
-    if (mesh.is_vertex(v)) lower(v, goals.length_at(mesh.point(v), mesh.time));
+  std::vector<double> by_area;  // of each face
+  for (FaceId f = 0; f < static_cast<FaceId>(mesh.boundary().faces.size()); ++f)
+    by_area.push_back(goals.length_for_area(f));
+  if (goals.bounds_area() || goals.size_field != none)
+    for (TriangleId t = 0; t < mesh.triangle_slots(); ++t)
+      if (mesh.is_alive(t))
+        for (int c = 0; c < 3; ++c)
+          lower(mesh.corner(t, c), std::min(by_area[index(mesh.face(t))], goals.length_by_field(mesh, t, c)));
+  if (goals.size)
+    for (PointId v = 0; v < mesh.point_slots(); ++v)
+      if (mesh.is_vertex(v)) lower(v, goals.length_at(mesh.point(v), mesh.time));
   for (const CurveChain& chain : chains)  // the spacing of the vertices that the geometry needs
     visit_stretches(chain, roles, [&](PointId v, PointId w) {
       const double apart = distance(mesh.point(v), mesh.point(w));
@@ -83,23 +88,29 @@ std::vector<double> wanted_spacing(const Mesh& mesh, const VertexGraph& graph, c
     });
 
   // Dijkstra's algorithm from all vertices at once makes the wanted lengths Lipschitz.
-  using Item = std::pair<double, PointId>;
+  using Item = std::pair<double, int>;
   std::priority_queue<Item, std::vector<Item>, std::greater<>> queue;
-  const auto spread = [&](double wanted, PointId v) {
-    for (const PointId w : graph.around(v)) {
-      if (wanted >= spacing[index(w)]) continue;
+  const auto spread = [&](double wanted, int k) {
+    const PointId v = graph.vertex(k);
+    for (const int near : graph.around(k)) {
+      const PointId w = graph.vertex(near);
+      const double room = (spacing[index(w)] - wanted) / gradation;
+      if (!(room > 0)) continue;
+      // Most edges are far too long to matter, as their squares tell without a root.
+      const double squared = squared_length(mesh.point(w) - mesh.point(v));
+      if (squared > 1e-280 && squared > room * room * (1 + 1e-9)) continue;
       const double graded = wanted + gradation * quick_distance(mesh.point(v), mesh.point(w));
       if (graded >= spacing[index(w)]) continue;
       spacing[index(w)] = graded;
-      queue.push({graded, w});
+      queue.push({graded, near});
     }
   };
-  for (PointId v = 0; v < mesh.point_slots(); ++v)
-    if (mesh.is_vertex(v) && spacing[index(v)] < HUGE_VAL) spread(spacing[index(v)], v);
+  for (int k = 0; k < graph.count(); ++k)
+    if (const double wanted = spacing[index(graph.vertex(k))]; wanted < HUGE_VAL) spread(wanted, k);
   while (!queue.empty()) {
-    const auto [wanted, v] = queue.top();
+    const auto [wanted, k] = queue.top();
     queue.pop();
-    if (wanted == spacing[index(v)]) spread(wanted, v);
+    if (wanted == spacing[index(graph.vertex(k))]) spread(wanted, k);
   }
   const double widest = mesh.size();
   for (double& wanted : spacing) wanted = std::min(wanted, widest);

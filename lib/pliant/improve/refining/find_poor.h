@@ -14,9 +14,12 @@ double longest_edge(const Mesh& mesh, TriangleId t);
 /// Does the triangle lie opposite a small angle between two curves? Then no operation can give it a better shape.
 bool is_excused(const Mesh& mesh, TriangleId t, const SharpCorners& corners);
 
-/// The logical triangles that are turned over or whose shape misses the goals (Attack::is_poor), without those that a
-/// small angle between curves excuses.
+/// The triangles that refinement attacks or that are turned over, ascending.
 /// Complexity  O(mesh)
-std::vector<TriangleId> find_poor(const Mesh& mesh, const QualityGoals& goals);
+std::vector<TriangleId> find_bad(const Mesh& mesh, const QualityGoals& goals);
+
+/// Those of `bad`, found by find_bad, that are turned over or whose shape misses the goals (Attack::is_poor), without
+/// those that a small angle between curves excuses.
+std::vector<TriangleId> find_poor(const Mesh& mesh, const QualityGoals& goals, const std::vector<TriangleId>& bad);
 
 }  // namespace pliant

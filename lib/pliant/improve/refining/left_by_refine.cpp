@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "pliant/geometry/linear_triangle.h"
-#include "pliant/improve/coarsening/removal_forecast.h"
 #include "pliant/improve/refine.h"
+#include "pliant/improve/refining/quick_goals.h"
 #include "pliant/improve/triangle_budget.h"
 
 namespace pliant {
@@ -42,9 +42,9 @@ std::set<std::array<double, 2>> vertices_of(const Mesh& mesh) {
 }  // namespace
 
 LeftByRefine::LeftByRefine(const Mesh& before, const QualityGoals& goals) : goals_(goals) {
+  const QuickGoals quick(before, goals);
   for (TriangleId t = 0; t < before.triangle_slots(); ++t)
-    if (before.is_alive(t) && attack_reason(before, t, goals)) attacked_.insert(corners_of(before, t));
-  if (!attacked_.empty()) before_ = before;
+    if (before.is_alive(t) && quick.attack_on(t).reason) attacked_.insert(corners_of(before, t));
 }
 
 LeftByRefine::Corners LeftByRefine::corners_of(const Mesh& mesh, TriangleId t) {

@@ -20,13 +20,16 @@ class LeftByRefine {
     double reach;
   };
 
-  /// Complexity  O(triangles); the mesh is copied if refine would attack any of them
+  /// Complexity  O(triangles)
   LeftByRefine(const Mesh& before, const QualityGoals& goals);
+  /// Copies the mesh, which must still be the one that was given first.
+  void keep(const Mesh& before) { before_ = before; }
   /// Would refine attack any triangle of `before`?
   bool any() const { return !attacked_.empty(); }
   /// The places where refine would mend a triangle of `after` that it would leave in `before`. It runs on copies of
   /// both meshes to find out.
   ///
+  /// Requires    that `before` was kept
   /// Complexity  that of refine on `after`; in the first call also that of refine on `before`
   std::vector<Awakened> awakened_in(const Mesh& after);
   const Mesh& before() const { return before_; }

@@ -38,6 +38,7 @@ Attack attack_on(const Mesh& mesh, TriangleId t, const QualityGoals& goals) {
       const double ratio = edge_turning(mesh, h) / goals.max_turning;
       if (ratio > 1 && ratio > attack.excess) attack = {"too curved", ratio, h, false};
     }
+  // Whatever is asked of curves above, QuickGoals::are_surely_met has to know it, too.
   if (attack.reason) return attack;
   const double bound = goals.area_bound(mesh.face(t));
   if (bound < HUGE_VAL) {

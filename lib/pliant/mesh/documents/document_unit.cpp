@@ -78,8 +78,8 @@ void require_document_size(const MeshData& data) { factor_for(extent_of(data)); 
 
 bool has_tame_size(const Mesh& mesh) {
   Box box = bounding_box(mesh.boundary());
-  for (PointId p = 0; p < mesh.point_slots(); ++p)
-    if (mesh.is_point_alive(p)) box.extend(mesh.point(p));
+  box.extend(mesh.measured_box().low);
+  box.extend(mesh.measured_box().high);
   return factor_for(extent(box)) == 1;
 }
 

@@ -23,7 +23,7 @@ inline constexpr double least_document_size = 0x1p-510, greatest_document_size =
 void normalize_unit(MeshData& data);
 void normalize_unit(BoundaryComplex& boundary);
 
-/// True if normalize_unit would leave the document of this mesh as it is.
+/// True if normalize_unit would leave the document of this mesh as it is.   Requires    a compacted mesh
 bool has_tame_size(const Mesh& mesh);
 
 /// Throws the same InputError as normalize_unit if the size is out of range; changes nothing.

@@ -63,17 +63,21 @@ Mesh::Mesh(MeshData& data, const HalfEdges& half_edges)
   triangle_count_ = static_cast<int>(faces_.size());
   for (Field& field : data.fields) set_field(std::move(field));
   measure();
-  changed_ = false;
+  stale_.numbering = false;
+  stale_.numbers = true;
 }
 
 void Mesh::measure() {
-  const Box all = box();
-  size_ = all.size();
-  tolerance_ = all.tolerance();
+  measured_box_ = box();
+  size_ = measured_box_.size();
+  tolerance_ = measured_box_.tolerance();
+  stale_.numbers = stale_.numbers || stale_.measures;
+  stale_.measures = false;
 }
 
 void Mesh::set_field(Field field) {
   assert(recording_ == 0);
+  stale_.numbers = true;
   if (field.by_face && !has_by_face_) {
     has_by_face_ = true;
     place_count_ = static_cast<std::int32_t>(field.places.size());
@@ -181,9 +185,9 @@ MeshData Mesh::to_data() const {
 
 void Mesh::compact() {
   assert(recording_ == 0);
-  if (changed_)
+  if (stale_.numbering)
     *this = Mesh(to_data());
-  else
+  else if (stale_.measures)
     measure();
 }
 
