@@ -13,6 +13,7 @@ namespace pliant {
 namespace {
 
 constexpr double bound_by_mean_area = 1.75;  // the bound on area over the mean area after refinement to that bound
+constexpr double least_accuracy = 10;  // an accuracy below so many tolerances of the mesh would be met by chance only
 
 int find_size_field(const Mesh& mesh, const std::string& name) {
   for (std::size_t k = 0; k < mesh.fields().size(); ++k) {
@@ -78,6 +79,7 @@ QualityGoals goals_of(const Mesh& mesh, SizeFunction size) {
   if (criteria.size_field) goals.size_field = find_size_field(mesh, *criteria.size_field);
   if (criteria.max_turning) goals.max_turning = *criteria.max_turning * std::numbers::pi / 180;
   goals.keeps_thin = criteria.keeps_thin.value_or(goals.keeps_thin);
+  if (criteria.accuracy) goals.accuracy = std::max(*criteria.accuracy / unit, least_accuracy * mesh.tolerance());
   if (criteria.min_size) goals.min_size = *criteria.min_size / unit;
   return goals;
 }
