@@ -28,11 +28,11 @@ HalfEdgeId shortest_edge(const Mesh& mesh, TriangleId t) {
 
 namespace {
 
-/// By how much an edge on a curve is too long for the accuracy wanted, as a factor.
-double coarseness(const Mesh& mesh, HalfEdgeId h, double accuracy) {
+/// By how much an edge on a curve is too long for the resolution wanted, as a factor; 0 where it is not.
+double coarseness(const Mesh& mesh, HalfEdgeId h, double resolution) {
   const ConstraintId c = mesh.constraint(h);
   const double error = mesh.spline(mesh.constraint_curve(c)).resolution_error(mesh.constraint_start(c));
-  return error > accuracy ? std::pow(error / accuracy, 1.0 / (mesh.degree() + 1)) : 0;
+  return error > resolution ? std::pow(error / resolution, 1.0 / (mesh.degree() + 1)) : 0;
 }
 
 }  // namespace
@@ -49,11 +49,11 @@ Attack attack_on(const Mesh& mesh, TriangleId t, const QualityGoals& goals) {
       const double ratio = edge_turning(mesh, h) / goals.max_turning;
       if (ratio > 1 && ratio > attack.excess) attack = {"too curved", ratio, h, false};
     }
-  if (goals.accuracy > 0)
+  if (goals.resolution < HUGE_VAL)
     for (int e = 0; e < 3; ++e) {
       const HalfEdgeId h = half_edge(t, e);
       if (!mesh.is_constrained(h)) continue;
-      const double ratio = coarseness(mesh, h, goals.accuracy);
+      const double ratio = coarseness(mesh, h, goals.resolution);
       if (ratio > 1 && ratio > attack.excess) attack = {"too curved", ratio, h, false};
     }
   if (attack.reason) return attack;
