@@ -39,6 +39,9 @@ Vector velocity(const Point& p, double t) {
   return {-now * sx * sx * sy * cy, now * sy * sy * sx * cx};
 }
 
+/// Is everything where it was at the start?
+bool is_back(double time) { return std::abs(std::remainder(time, period)) < 1e-9; }
+
 /// The steps of a marker and of a point of the field. Errors at T/2 grow with the fifth power of the step: from 3e-10
 /// with steps of 0.01, as steps of 0.0025 show, so that they are about 1e-11 and 1e-8.
 constexpr double marker_step = 0.005, field_step = 0.02;
@@ -173,7 +176,7 @@ double marker_error(const Interface& interface, double time, int markers) {
   for (int i = 0; i < markers; ++i) {
     const double angle = 2 * pi * i / markers;
     const Point start{centre.x + radius * std::cos(angle), centre.y + radius * std::sin(angle)};
-    greatest = std::max(greatest, interface.distance_to(time == period ? start : carry(start, 0, time, marker_step)));
+    greatest = std::max(greatest, interface.distance_to(is_back(time) ? start : carry(start, 0, time, marker_step)));
   }
   return greatest;
 }
@@ -198,7 +201,7 @@ double field_error(const MeshData& mesh, const Field& field) {
       std::array<double, 3> value{}, along_2{}, along_3{};
       evaluate_net(mesh.degree, 3, net, node.xi, value, along_2, along_3);
       const Point from =
-          mesh.time == period ? Point{value[0], value[1]} : carry({value[0], value[1]}, mesh.time, 0, field_step);
+          is_back(mesh.time) ? Point{value[0], value[1]} : carry({value[0], value[1]}, mesh.time, 0, field_step);
       const double off = value[2] - std::sin(3 * from.x) * std::sin(3 * from.y);
       squared += node.weight * (along_2[0] * along_3[1] - along_2[1] * along_3[0]) * off * off;
     }
@@ -228,7 +231,7 @@ void measure(const char* path, int markers, const std::vector<double>& times) {
     std::printf(R"({"time": %.10g, "degree": %d, "triangles": %zu, "spans": %zu, "interface": %.4g, "drift": %.4g)",
                 mesh.time, mesh.degree, mesh.triangle_faces.size(), interface.spans(),
                 marker_error(interface, mesh.time, markers), area / first_area - 1);
-    if (mesh.time == 0 || mesh.time == period) std::printf(R"(, "circle": %.4g)", off_circle(interface));
+    if (is_back(mesh.time)) std::printf(R"(, "circle": %.4g)", off_circle(interface));
     if (const Field* field = find_field(mesh)) std::printf(R"(, "field": %.4g)", field_error(mesh, *field));
     std::printf("}\n");
     std::fflush(stdout);
