@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # A circle in the reversed vortex, as in samples/vortex: the accuracy asked for is kept, and errors fall with order p + 1.
-. "$(dirname "${BASH_SOURCE[0]}")/common.bash"
+. "$(dirname "${BASH_SOURCE[0]}")/../common.bash"
 for tool in bspline2mesh evolve vortex-errors; do command -v "$tool" >/dev/null || exit 77; done
 command -v python3 >/dev/null || exit 77
 
