@@ -14,7 +14,7 @@ namespace {
 
 constexpr double bound_by_mean_area = 1.75;  // the bound on area over the mean area after refinement to that bound
 /// The error that a span may have, as a share of the accuracy wanted: in a long run those of the meshes on the way add
-/// up to 1.5 to 3 of them (measured in the reversed vortex, samples/vortex/README.md).
+/// up to 1 to 2.5 of them (measured in the reversed vortex, samples/vortex/README.md).
 constexpr double resolution_share = 0.25;
 /// Below so many tolerances of the mesh, rounding alone is taken for an error.
 constexpr double least_resolution = 10;
