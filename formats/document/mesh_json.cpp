@@ -86,6 +86,8 @@ Criteria read_criteria(JsonReader& in) {
       criteria.size_field = in.string();
     } else if (seen.is(name, "max_turning")) {
       criteria.max_turning = read_positive(in);
+    } else if (seen.is(name, "accuracy")) {
+      criteria.accuracy = read_positive(in);
     } else if (seen.is(name, "min_size")) {
       criteria.min_size = read_positive(in);
     } else if (seen.is(name, "thin")) {
@@ -97,8 +99,9 @@ Criteria read_criteria(JsonReader& in) {
     }
     return true;
   });
-  seen.doubt_all({"min_angle", "max_area", "face_area", "size", "size_field", "max_turning", "min_size", "thin"},
-                 criteria.extra, "is kept, but no criterion: nothing goes by it");
+  seen.doubt_all(
+      {"min_angle", "max_area", "face_area", "size", "size_field", "max_turning", "accuracy", "min_size", "thin"},
+      criteria.extra, "is kept, but no criterion: nothing goes by it");
   return criteria;
 }
 
@@ -168,6 +171,7 @@ void write_criteria(JsonWriter& out, const Criteria& criteria) {
   if (criteria.size) out.name("size").value(*criteria.size);
   if (criteria.size_field) out.name("size_field").value(*criteria.size_field);
   if (criteria.max_turning) out.name("max_turning").value(*criteria.max_turning);
+  if (criteria.accuracy) out.name("accuracy").value(*criteria.accuracy);
   if (criteria.min_size) out.name("min_size").value(*criteria.min_size);
   if (criteria.keeps_thin) out.name("thin").value(*criteria.keeps_thin ? "keep" : "refine");
   out.members(criteria.extra);

@@ -48,6 +48,7 @@ MeshData rich_mesh(int degree) {
   data.criteria.size = "0.1 + abs(x)";
   data.criteria.size_field = "wanted";
   data.criteria.max_turning = 45;
+  data.criteria.accuracy = 1e-5;
   data.criteria.min_size = 1e-6;
   data.criteria.extra = samples::carried({{"later", "{\"a\":[1,2.50]}"}});
   data.boundary.extra = samples::carried({{"made_by", "null"}});
@@ -137,6 +138,7 @@ TEST_CASE("what is read is what was written", "[formats]") {
   CHECK(a.criteria.size == b.criteria.size);
   CHECK(a.criteria.size_field == b.criteria.size_field);
   CHECK(a.criteria.max_turning == b.criteria.max_turning);
+  CHECK(a.criteria.accuracy == b.criteria.accuracy);
   CHECK(a.criteria.min_size == b.criteria.min_size);
   CHECK(samples::texts_of(a.criteria.extra) == samples::texts_of(b.criteria.extra));
 }

@@ -12,7 +12,7 @@ namespace {
 
 Criteria all_of(double number, const std::string& text, bool flag) {
   Criteria all;
-  all.min_angle = all.max_area = all.max_turning = all.min_size = number;
+  all.min_angle = all.max_area = all.max_turning = all.accuracy = all.min_size = number;
   all.size = all.size_field = text;
   all.keeps_thin = flag;
   return all;
@@ -25,6 +25,7 @@ void check_same(const Criteria& a, const Criteria& b) {
   CHECK(a.size == b.size);
   CHECK(a.size_field == b.size_field);
   CHECK(a.max_turning == b.max_turning);
+  CHECK(a.accuracy == b.accuracy);
   CHECK(a.min_size == b.min_size);
   CHECK(a.keeps_thin == b.keeps_thin);
 }

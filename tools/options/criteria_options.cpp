@@ -28,6 +28,9 @@ void CriteriaOptions::add(CLI::App& app, bool fields) {
     app.add_option("--size-field", size_field_, "wanted edge length, too: the values of this field")->type_name("NAME");
   app.add_option("--max-turning", max_turning_text_, "greatest angle by which an edge turns, degrees")
       ->type_name("DEG");
+  app.add_option("--accuracy", accuracy_text_,
+                 "how far curves may be from smooth ones that they stand for; edges are as fine as that asks for")
+      ->type_name("LENGTH");
   app.add_option("--min-size", min_size_text_, "no two vertices closer than this")->type_name("LENGTH");
   app.add_option("--thin", thin_text_,
                  "keep or refine triangles across gaps that are thin for the spans beside them; default: refine")
@@ -60,6 +63,7 @@ void CriteriaOptions::check() {
   }
   if (size_field_) given_.size_field = *size_field_;
   if (max_turning_text_) given_.max_turning = parse_positive("--max-turning", *max_turning_text_);
+  if (accuracy_text_) given_.accuracy = parse_positive("--accuracy", *accuracy_text_);
   if (thin_text_) given_.keeps_thin = *thin_text_ == "keep";
   if (min_size_text_) given_.min_size = parse_positive("--min-size", *min_size_text_);
 }

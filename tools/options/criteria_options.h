@@ -20,6 +20,7 @@ SizeFunction compile_size(const std::string& text);
 class CriteriaOptions {
  public:
   /// Adds --min-angle DEG, --max-area AREA, --face-area NAME=AREA (repeatable), --size EXPR, --max-turning DEG,
+  /// --accuracy LENGTH,
   /// --min-size LENGTH and --thin keep|refine; with `fields`, for tools that read meshes, --size-field NAME. Values are
   /// checked in `check`, so that wrong ones are wrong usage.
   void add(CLI::App& app, bool fields = true);
@@ -34,8 +35,8 @@ class CriteriaOptions {
   QualityGoals goals(Mesh& mesh) const;
 
  private:
-  std::optional<std::string> min_angle_text_, max_area_text_, max_turning_text_, min_size_text_, size_text_, thin_text_,
-      size_field_;
+  std::optional<std::string> min_angle_text_, max_area_text_, max_turning_text_, accuracy_text_, min_size_text_,
+      size_text_, thin_text_, size_field_;
   std::vector<std::string> face_area_texts_;
   Criteria given_;
   SizeFunction given_size_;  // given_.size, compiled

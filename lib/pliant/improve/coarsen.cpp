@@ -27,7 +27,9 @@ constexpr int most_rounds = 40;    // rounds of choosing what stays and removing
 constexpr int most_attempts = 5;   // attempts to find the vertices that must stay so that refine has nothing new to do
 constexpr double default_tolerance = 1e-3;  // the default bound of all removals, as a share of the mesh's size
 constexpr double default_step_share = 0.1;  // the default bound of one removal, as a share of the bound of all
-constexpr long worthwhile = 1000;  // another round follows one that has removed a vertex for each so many triangles
+constexpr double merged_share = 0.5;  // an edge is left by a removal only if it has this share of the resolution error
+                                      // at which refine would split it again
+constexpr long worthwhile = 1000;     // another round follows one that has removed a vertex for each so many triangles
 
 class Coarsener {
  public:
@@ -37,7 +39,8 @@ class Coarsener {
         options_(options),
         frozen_(frozen),
         limits_{*options.goals,
-                {*options.tolerance, *options.step_tolerance, options.keep_area, options.goals->max_turning},
+                {*options.tolerance, *options.step_tolerance, options.keep_area, options.goals->max_turning,
+                 merged_share * options.goals->resolution},
                 options.refit,
                 accepted_shape(*options.goals),
                 options.uses_forecast},
@@ -242,8 +245,10 @@ bool freeze(const Mesh& mesh, const std::vector<PointId>& removed, const std::ve
 /// The options with what their absence means for this mesh.
 CoarsenOptions resolve(CoarsenOptions options, const Mesh& mesh) {
   if (!options.goals) options.goals = goals_of(mesh);
-  if (!options.tolerance) options.tolerance = default_tolerance * mesh.size();
-  if (!options.step_tolerance) options.step_tolerance = default_step_share * *options.tolerance;
+  const double resolution = options.goals->resolution;
+  const bool is_bounded = options.tolerance.has_value();
+  if (!is_bounded) options.tolerance = resolution < HUGE_VAL ? HUGE_VAL : default_tolerance * mesh.size();
+  if (!options.step_tolerance) options.step_tolerance = std::min(default_step_share * *options.tolerance, resolution);
   return options;
 }
 

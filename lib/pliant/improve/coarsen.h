@@ -10,9 +10,11 @@ namespace pliant {
 
 struct CoarsenOptions {
   std::optional<QualityGoals> goals;  ///< absent: those of the mesh's criteria (goals_of)
-  /// Bound of each curve's accumulated error of knot removal (length); absent: 1e-3 of the mesh's size.
+  /// Bound of each curve's accumulated error of knot removal (length). Absent: 1e-3 of the mesh's size; none where the
+  /// goals have a resolution.
   std::optional<double> tolerance;
-  std::optional<double> step_tolerance;  ///< bound of the error of one removal (length); absent: a tenth of `tolerance`
+  /// Bound of the error of one removal (length); absent: a tenth of `tolerance`, at most the resolution of the goals.
+  std::optional<double> step_tolerance;
   double polygon_tolerance = 0;  ///< tolerance of Douglas and Peucker's method, which picks the control points that
                                  ///< a curve's shape needs (length); 0: no vertex is kept for that
   double feature_share = 0;      ///< wanted lengths are at most this share of the local feature size; 0: no such bound

@@ -19,6 +19,7 @@ struct QualityGoals {
   SizeFunction size;              ///< wanted lengths; empty: no such goal
   int size_field = none;          ///< a field of one component with wanted lengths; no bound where it is not above 0
   double max_turning = HUGE_VAL;  ///< the largest angle by which an edge on a curve may turn
+  double resolution = HUGE_VAL;   ///< the greatest resolution error of a span of a curve (BSpline)
   double min_size = 0;            ///< the least distance of two vertices; 0: 1e-9 of the mesh's size
   bool keeps_thin = false;        ///< triangles that cross a thin gap (thin_gaps.h) do not count as poor
 

@@ -40,6 +40,7 @@ struct Criteria {
   std::optional<std::string> size;                        ///< the wanted edge length, an expression in x, y, t
   std::optional<std::string> size_field;                  ///< name of a field whose values are wanted edge lengths
   std::optional<double> max_turning;                      ///< greatest angle by which an edge turns
+  std::optional<double> accuracy;                         ///< how far curves may be from those that they stand for
   std::optional<double> min_size;                         ///< no two vertices are closer than this
   std::optional<bool> keeps_thin;                         ///< member `thin`: "keep" is true, "refine" is false
   ExtraMembers extra;

@@ -30,6 +30,7 @@ void override_criteria(Criteria& criteria, const Criteria& given, const Boundary
   override_entry(criteria.size, given.size);
   override_entry(criteria.size_field, given.size_field);
   override_entry(criteria.max_turning, given.max_turning);
+  override_entry(criteria.accuracy, given.accuracy);
   override_entry(criteria.min_size, given.min_size);
   override_entry(criteria.keeps_thin, given.keeps_thin);
 }

@@ -30,7 +30,7 @@ const char* describe(Outcome outcome) {
     case Outcome::exceeds_tolerance:
       return "exceeds the tolerance";
     case Outcome::too_curved:
-      return "would turn too much";
+      return "would leave an edge that is too curved";
     case Outcome::loses_integral:
       return "would lose a part of a field's integral";
     case Outcome::not_in_domain:

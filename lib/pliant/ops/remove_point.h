@@ -33,6 +33,7 @@ struct CurveTolerance {
   double step = HUGE_VAL;         ///< greatest error of this removal alone (length)
   bool keep_area = false;         ///< the curve must sweep the same area: control points near the knot move for it
   double max_turning = HUGE_VAL;  ///< greatest angle by which the edge that is left may turn (radians)
+  double accuracy = HUGE_VAL;     ///< greatest resolution error of the edge that is left (length)
 };
 /// The removals that were only foreseen so far: which curves they changed, and where vertices would be.
 struct ForeseenCurves {

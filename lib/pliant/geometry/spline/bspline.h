@@ -109,6 +109,19 @@ class BSpline {
   /// Removes all copies of the knot t, and returns the sum of the bounds. Refuses like remove_knot.
   std::optional<double> remove_break(double t, Edits* edits = nullptr);
 
+  /// An estimate of how far the span that starts at t0 is from the smooth curve that the spline stands for, such as the
+  /// exact motion of an interface, if splines of this degree can only follow it span by span.
+  ///
+  /// A smooth curve's derivative of order degree + 1 shows in the spline as jumps of the derivative of order degree at
+  /// the knots. The sum of the jumps around the span over the stretch of parameters that they stand for, times
+  /// h^(degree + 1), times Favard's constant for the interpolation by splines of equal spans, is the error. It is at
+  /// least that of an arc of a circle which turns as the span does: this tells it also for spans without neighbours.
+  /// Jumps at knots of higher multiplicity do not count: there the curve is less smooth on purpose.
+  ///
+  /// Units       length; it scales with the points and does not depend on the scale of the knots
+  /// Complexity  O(degree^2 + log knots), no allocation
+  double resolution_error(double t0) const;
+
   /// The Greville abscissae, one for each control point: the means of `degree` consecutive knots, on a closed curve
   /// moved into the period.
   std::vector<double> greville() const;
@@ -129,6 +142,8 @@ class BSpline {
   double arc_length() const;
 
  private:
+  /// The derivative of order degree on the interval from knot k to the next, where it is constant.
+  Vector highest_derivative(int k) const;
   void insert_point(int i, Edits* edits);
   void erase_point(int i, Edits* edits);
   void erase_knot(int i, Edits* edits);

@@ -25,6 +25,7 @@ QuickGoals::QuickGoals(const Mesh& mesh, const QualityGoals& goals) : mesh_(mesh
   if (goals.min_angle > 0) squared_sine_ = sine * sine * (1 + margin);
   bounds_turning_ = goals.max_turning < HUGE_VAL && mesh.degree() > 1;
   if (bounds_turning_) least_cosine_ = std::cos(std::min(goals.max_turning / (mesh.degree() - 1), std::numbers::pi));
+  bounds_resolution_ = goals.resolution < HUGE_VAL;
   is_known_ = !goals.size && goals.size_field == none;
 }
 
@@ -45,9 +46,9 @@ bool QuickGoals::turns_surely_little(TriangleId t) const {
 bool QuickGoals::are_surely_met(TriangleId t) const {
   if (!is_known_) return false;
   const HalfEdgeId h = half_edge(t, 0);
-  if (bounds_turning_ &&
+  if ((bounds_turning_ || bounds_resolution_) &&
       (mesh_.is_constrained(h) || mesh_.is_constrained(next(h)) || mesh_.is_constrained(previous(h))) &&
-      !turns_surely_little(t))
+      (bounds_resolution_ || !turns_surely_little(t)))
     return false;
   const auto net = mesh_.net(t);
   const Point &a = mesh_.point(net[0]), &b = mesh_.point(net[1]), &c = mesh_.point(net[2]);

@@ -26,6 +26,17 @@ HalfEdgeId shortest_edge(const Mesh& mesh, TriangleId t) {
   return shortest;
 }
 
+namespace {
+
+/// By how much an edge on a curve is too long for the resolution wanted, as a factor; 0 where it is not.
+double coarseness(const Mesh& mesh, HalfEdgeId h, double resolution) {
+  const ConstraintId c = mesh.constraint(h);
+  const double error = mesh.spline(mesh.constraint_curve(c)).resolution_error(mesh.constraint_start(c));
+  return error > resolution ? std::pow(error / resolution, 1.0 / (mesh.degree() + 1)) : 0;
+}
+
+}  // namespace
+
 Attack attack_on(const Mesh& mesh, TriangleId t, const QualityGoals& goals) {
   const Point &a = mesh.point(mesh.corner(t, 0)), &b = mesh.point(mesh.corner(t, 1)),
               &c = mesh.point(mesh.corner(t, 2));
@@ -36,6 +47,13 @@ Attack attack_on(const Mesh& mesh, TriangleId t, const QualityGoals& goals) {
       const HalfEdgeId h = half_edge(t, e);
       if (!mesh.is_constrained(h)) continue;
       const double ratio = edge_turning(mesh, h) / goals.max_turning;
+      if (ratio > 1 && ratio > attack.excess) attack = {"too curved", ratio, h, false};
+    }
+  if (goals.resolution < HUGE_VAL)
+    for (int e = 0; e < 3; ++e) {
+      const HalfEdgeId h = half_edge(t, e);
+      if (!mesh.is_constrained(h)) continue;
+      const double ratio = coarseness(mesh, h, goals.resolution);
       if (ratio > 1 && ratio > attack.excess) attack = {"too curved", ratio, h, false};
     }
   // Whatever is asked of curves above, QuickGoals::are_surely_met has to know it, too.

@@ -57,6 +57,8 @@ KnotRemoval try_removal(Mesh& mesh, PointId v, const Star& star, const CurveTole
   const std::span<Point> long_span{merged_polygon.data(), index(mesh.degree() + 1)};
   spline.extract(plan.start, long_span);
   if (turning_angle(long_span) > tolerance.max_turning) return refused(Outcome::too_curved);
+  if (tolerance.accuracy < HUGE_VAL && spline.resolution_error(plan.start) > tolerance.accuracy)
+    return refused(Outcome::too_curved);
   plan.from = mesh.constraint_first(kept);
   plan.to = mesh.origin(plan.passage.after) == v ? mesh.target(plan.passage.after) : mesh.origin(plan.passage.after);
   if (!is_changed &&
