@@ -91,13 +91,14 @@ LeastCount by_area(const Mesh& mesh, const QualityGoals& goals) {
   return all;
 }
 
-LeastCount by_size(const Mesh& mesh, const QualityGoals& goals) {
+/// Over these triangles: any other that is alive counts as one.
+LeastCount by_size(const Mesh& mesh, const QualityGoals& goals, const std::vector<TriangleId>& triangles) {
   SizeCount size(mesh, goals);
   LeastCount all;
+  all.triangles = static_cast<double>(mesh.triangle_count()) - static_cast<double>(triangles.size());
   double most = 0;
   TriangleId densest = none;
-  for (TriangleId t = 0; t < mesh.triangle_slots(); ++t) {
-    if (!mesh.is_alive(t)) continue;
+  for (const TriangleId t : triangles) {
     const double count = size.of(t);
     all.triangles += count;
     if (count > most) most = count, densest = t;
@@ -140,13 +141,22 @@ LeastCount by_turning(const Mesh& mesh, const QualityGoals& goals) {
   return all;
 }
 
-LeastCount least_triangles(const Mesh& mesh, const QualityGoals& goals, bool with_areas) {
+std::vector<TriangleId> all_triangles(const Mesh& mesh) {
+  std::vector<TriangleId> all;
+  for (TriangleId t = 0; t < mesh.triangle_slots(); ++t)
+    if (mesh.is_alive(t)) all.push_back(t);
+  return all;
+}
+
+/// Sizes are evaluated in these triangles, areas only where asked for.
+LeastCount least_triangles(const Mesh& mesh, const QualityGoals& goals, bool with_areas,
+                           const std::vector<TriangleId>& triangles) {
   LeastCount most;
   const auto consider = [&most](LeastCount count) {
     if (count.triangles > most.triangles) most = std::move(count);
   };
   if (with_areas && goals.bounds_area()) consider(by_area(mesh, goals));
-  if (goals.size) consider(by_size(mesh, goals));
+  if (goals.size) consider(by_size(mesh, goals, triangles));
   if (goals.max_turning < HUGE_VAL && mesh.degree() > 1) consider(by_turning(mesh, goals));
   return most;
 }
@@ -166,13 +176,16 @@ double most_by_area(const Mesh& mesh, const QualityGoals& goals, const std::vect
 
 }  // namespace
 
-LeastCount least_triangles(const Mesh& mesh, const QualityGoals& goals) { return least_triangles(mesh, goals, true); }
+LeastCount least_triangles(const Mesh& mesh, const QualityGoals& goals) {
+  return least_triangles(mesh, goals, true, all_triangles(mesh));
+}
 
 void require_within_budget(const Mesh& mesh, const QualityGoals& goals, long max_triangles,
                            const std::vector<TriangleId>& bad) {
+  if (bad.empty()) return;           // nothing is inserted
   constexpr double rounding = 1e-6;  // relative, of a sum over all elements
   const bool with_areas = !(most_by_area(mesh, goals, bad) < (1 - rounding) * static_cast<double>(max_triangles));
-  const LeastCount least = least_triangles(mesh, goals, with_areas);
+  const LeastCount least = least_triangles(mesh, goals, with_areas, bad);
   if (!(least.triangles > static_cast<double>(max_triangles))) return;
   throw TooManyTriangles("at least " + in_digits(least.triangles) + " triangles are asked for, by " + least.why +
                          "; at most " + std::to_string(max_triangles) +

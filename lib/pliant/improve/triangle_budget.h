@@ -28,12 +28,13 @@ struct LeastCount {
 /// Complexity  O(triangles + places)
 LeastCount least_triangles(const Mesh& mesh, const QualityGoals& goals);
 
-/// Does nothing where that bound is at most `max_triangles`.
+/// Does nothing where that bound is at most `max_triangles`, the size function evaluated in the triangles `bad` only:
+/// each other one counts as one. Without any, nothing is looked at.
 ///
-/// Requires    `bad` has every triangle whose area exceeds its bound
+/// Requires    `bad` has every triangle that refinement attacks
 /// Throws      TooManyTriangles where it is greater
-/// Complexity  where `max_triangles` is more than the mesh has, and `bad` are few: a look at each half-edge, unless the
-///             goals have a size function
+/// Complexity  where `max_triangles` is more than the mesh has, and `bad` are few: a look at each half-edge, and for a
+///             size function O(bad / triangles * places)
 void require_within_budget(const Mesh& mesh, const QualityGoals& goals, long max_triangles,
                            const std::vector<TriangleId>& bad);
 
