@@ -28,7 +28,7 @@ class QuickGoals {
   double least_cosine_ = -1;         // of the angle between two legs of an edge's polygon on a curve
   bool bounds_turning_ = false;
   bool bounds_resolution_ = false;  // of curves: no quick test proves anything of an edge on one
-  bool is_known_ = true;  // false where sizes are asked for, which take longer to find
+  bool is_known_ = true;            // false where sizes are asked for, which take longer to find
 };
 
 }  // namespace pliant
