@@ -81,6 +81,20 @@ TEST_CASE("a step of too many or too small parts stops, with time and cause; the
   }
 }
 
+TEST_CASE("a step that does not change the digits of the time stops at once", "[evolve]") {
+  const auto [time, dt] = GENERATE(table<double, double>({{1e300, 0.1}, {1e9, 1e-12}, {-1e9, 1e-12}}));
+  Mesh mesh(samples::disk(2));
+  mesh.time = time;
+  EvolutionOptions options;
+  options.schedule.dt = dt;
+  options.schedule.steps = 3;
+  options.schedule.even_steps = GENERATE(true, false);
+  Evolution evolution(mesh, time, {mover(1)}, options);
+  REQUIRE_FALSE(evolution.is_done());
+  CHECK_THROWS_WITH(evolution.advance(), Catch::Matchers::Contains("does not advance the time"));
+  CHECK(mesh.time == time);
+}
+
 TEST_CASE("what a pass throws comes out, and later passes do not run", "[evolve]") {
   Mesh mesh(samples::disk(2));
   int later = 0;

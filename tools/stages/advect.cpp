@@ -31,7 +31,7 @@ std::string method_names() {
 }
 
 /// Why no step was taken, in words.
-std::string explain(const AdvectOutcome& outcome, double time) {
+std::string explain(const AdvectOutcome& outcome, double time, StepPolicy policy) {
   using Status = AdvectOutcome::Status;
   std::ostringstream text;
   text.precision(6);
@@ -46,7 +46,8 @@ std::string explain(const AdvectOutcome& outcome, double time) {
   const std::string note = outcome.report.notes.empty() ? "" : outcome.report.notes.front();
   if (outcome.status == Status::unsafe)
     text << "a step of " << outcome.asked_dt << " is not proved safe beyond " << outcome.fraction << " of it (dt "
-         << outcome.fraction * outcome.asked_dt << "): " << note << "; --limit takes a safe part of it";
+         << outcome.fraction * outcome.asked_dt << "): " << note
+         << (policy == StepPolicy::refuse ? "; --limit takes a safe part of it" : "; no part of it is worth taking");
   else
     text << "no step was taken: " << note;
   return text.str();
@@ -124,7 +125,7 @@ PassReport AdvectStage::run(Mesh& mesh, const StageContext& context) const {
                          });
   using Status = AdvectOutcome::Status;
   if (outcome.status != Status::done && outcome.status != Status::limited && outcome.status != Status::late)
-    throw NoResult(explain(outcome, before));
+    throw NoResult(explain(outcome, before, options.policy));
   if (options_.policy == StepPolicy::force && outcome.blocking != none)
     context.say("forced an unsafe step: " + outcome.report.notes.back());
   return outcome.report;

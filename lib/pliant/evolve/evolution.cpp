@@ -28,6 +28,13 @@ StepRecord Evolution::advance() {
   const long done = steps_done();
   const std::optional<double> goal = schedule_.next_goal(mesh_.time, done, options_.longest_step(mesh_));
   assert(goal);
+  if (!(*goal > mesh_.time)) {
+    std::ostringstream text;
+    text.precision(17);
+    text << "at time " << mesh_.time << ": a step of " << options_.schedule.dt
+         << " does not advance the time, whose digits are too many";
+    throw StepBlocked(text.str());
+  }
   StepRecord record;
   record.step = done + 1;
   record.part = ++part_;

@@ -69,7 +69,8 @@ class Evolution {
   bool is_frame() const { return schedule_.is_frame(mesh_.time, steps_done()); }
   /// Runs all passes once: a whole step, or as much of one as can be taken.
   /// Requires    !is_done()
-  /// Throws      StepBlocked where most_parts runs did not finish a step, or one brought it less than least_part
+  /// Throws      StepBlocked where the time has so many digits that a step does not change it, where most_parts runs
+  /// did not finish a step, or one brought it less than least_part
   ///             further; what the passes throw
   StepRecord advance();
 

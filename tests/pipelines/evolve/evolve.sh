@@ -128,6 +128,10 @@ says 'at time 0'
 says 'element'
 says 'the output ends with the last valid state'
 qualityreport --fail-if 'invalid > 0' blocked.jsonl >/dev/null || fail "the state of a blocked step is not valid"
+sample_mesh disk 2 1e300 >late.json
+run 4 evolve --steps 3 --every 1 "$step" late.json
+says 'does not advance the time'
+[ "$(wc -l <out)" = 1 ] || fail "$(wc -l <out) frames of a time that stands still"
 # The mesh that a pass has left halfway is not written: the steps are done again.
 for steps in 1 2; do evolve --steps $steps "advect --vx '0.3*x' --vy '0.3*y' --dt 0.5 | refine --max-area 0.05" disk.json | tail -n 1 >"after$steps"; done
 limit=$(qualityreport --format json after1 | sed 's/.*"triangles":\([0-9]*\),"vert.*/\1/')
