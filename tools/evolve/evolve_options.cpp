@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <charconv>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <sstream>
@@ -27,6 +28,8 @@ long parse_count(const std::string& option, const std::string& text, long least)
 }
 
 std::string read_text(const std::string& path) {
+  if (path == "-") throw UsageError("--step needs a file, not -");
+  if (std::filesystem::is_directory(path)) throw std::system_error(EISDIR, std::generic_category(), path);
   std::ifstream file(path, std::ios::binary);
   std::string text{std::istreambuf_iterator<char>(file), {}};
   if (!file) throw std::system_error(errno, std::generic_category(), path);
@@ -122,10 +125,13 @@ void EvolveCommand::read_frames(const CLI::App& app) {
 
 void EvolveCommand::read_logs() {
   const std::string standard = "-";
+  const std::string step_beside =
+      options_.is_numbered() ? beside_numbered(options_.frames, "step") : options_.tool.output + ".step";
   const std::pair<const char*, const std::string*> others[] = {{"--log", &options_.log},
                                                                {"-o", &options_.tool.output},
                                                                {"INPUT", &options_.tool.input},
-                                                               {"--step", &step_file_}};
+                                                               {"--step", &step_file_},
+                                                               {"the step of -o", &step_beside}};
   for (const auto& [option, path] : {std::pair("--log", &options_.log), std::pair("--history", &options_.history)}) {
     if (path->empty()) continue;
     if (*path == standard) throw UsageError(std::string(option) + " needs a file of its own, not -");

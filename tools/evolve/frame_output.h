@@ -40,6 +40,9 @@ struct ResumedOutput {
 std::optional<ResumedOutput> resume_series(const std::string& path);
 std::optional<ResumedOutput> resume_numbered(const std::string& pattern);
 
+/// Makes a folder and those above it.   Throws std::system_error that names it
+void make_folders(const std::string& path);
+
 /// A pattern such as out/%05d.json, with one number.   Throws UsageError
 void check_pattern(const std::string& pattern);
 /// The name of a file that stands beside numbered frames: the pattern up to its number, then `end`.

@@ -11,12 +11,12 @@ namespace {
 volatile std::sig_atomic_t signal_seen = 0;
 
 void note(int signal) {
-  if (signal_seen != 0 && signal == SIGINT) {
+  if (signal_seen != 0) {
     remove_unfinished_files();
     std::signal(signal, SIG_DFL);
     raise(signal);
   }
-  if (signal_seen == 0) signal_seen = signal;
+  signal_seen = signal;
 }
 
 }  // namespace

@@ -63,8 +63,7 @@ class NumberedOutput : public FrameOutput {
 
   void write(std::string_view frame) override {
     const std::string path = pattern_.path(next_);
-    if (const auto folder = std::filesystem::path(path).parent_path(); !folder.empty())
-      std::filesystem::create_directories(folder);
+    if (const auto folder = std::filesystem::path(path).parent_path(); !folder.empty()) make_folders(folder.string());
     OutputFile file(path);
     file.write(frame);
     file.commit();
@@ -93,6 +92,12 @@ std::string read_file(const std::string& path) {
 }
 
 }  // namespace
+
+void make_folders(const std::string& path) {
+  std::error_code error;
+  std::filesystem::create_directories(path, error);
+  if (error) throw std::system_error(error, path);
+}
 
 void check_pattern(const std::string& pattern) { parse(pattern); }
 

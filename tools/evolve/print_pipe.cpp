@@ -40,7 +40,8 @@ function round(time,  short, few) {  # a round time stays round
   return size(short - time) <= (few < slack ? few : slack) ? short : time
 }
 function tell(goal, frame) {
-  if (goal == last) return
+  if (until != "" && goal >= until - slack) goal = until + 0
+  if (goal - last <= slack) return
   last = goal
   print text(goal), frame
 }
@@ -88,7 +89,8 @@ std::string pipe_of(const EvolveOptions& options, const Step& step) {
           " -v until=" + (schedule.until ? text_of(*schedule.until) : "") +
           " -v steps=" + (schedule.steps ? std::to_string(*schedule.steps) : "") +
           " -v every=" + std::to_string(schedule.every) + " -v at='" + at + "' '" + goals_in_awk + "'\n}\n\n";
-  text += "cat " + (options.tool.input == "-" ? std::string("-") : quoted(options.tool.input)) + " > \"$work/state\"\n";
+  text += "# A mesh that is late passes through: written as the tools write.\n";
+  text += "advect --vx 0 --vy 0 --dt 1 --until=-1e308 -- " + quoted(options.tool.input) + " > \"$work/state\"\n";
   if (to_file) text += ": > " + quoted(options.tool.output) + "\n";
   if (options.is_numbered()) text += "frames=0\n";
   text += add_frame + "\nwritten=1\nwhile read -r goal frame; do\n  parts=0\n";

@@ -5,6 +5,7 @@
 #include <charconv>
 #include <chrono>
 #include <cstdio>
+#include <filesystem>
 #include <limits>
 #include <optional>
 
@@ -22,6 +23,7 @@
 #include "run/documents.h"
 #include "run/exit_status.h"
 #include "run/progress_line.h"
+#include "run/same_file.h"
 
 namespace pliant {
 namespace {
@@ -94,7 +96,9 @@ class Simulation {
       text_ = std::move(start_.text);
       written_time_ = mesh_->time;
       if (!evolution_->is_frame() && !evolution_->is_done()) start_.output->replace_last();
-      logs_.reopen(mesh_->time);
+      for (const std::string& path : logs_.reopen(mesh_->time, start_.first_time))
+        say(options_.tool,
+            path + " ends before time " + text_of(mesh_->time) + ": the steps between are missing in it");
     } else {
       forget_step(options_);
       logs_.create();
@@ -260,6 +264,19 @@ class Simulation {
   double begun_at_ = 0;
 };
 
+/// A file that the step reads must not be one that evolve writes.
+void refuse_overwriting(const EvolveOptions& options, const Step& step) {
+  for (const StepCommand& command : step.commands)
+    for (std::size_t k = 1; k < command.size(); ++k) {
+      const std::string& word = command[k].text;
+      const std::string path = word.starts_with("--") ? word.substr(word.find('=') + 1) : word;
+      for (const std::string* const written : {&options.tool.output, &options.log, &options.history})
+        if (!written->empty() && *written != "-" && std::filesystem::is_regular_file(path) &&
+            is_same_file(path, *written))
+          throw UsageError("'" + path + "' is read by the step, and would be overwritten; write to another file");
+    }
+}
+
 }  // namespace
 
 int simulate(const EvolveOptions& options) {
@@ -270,6 +287,7 @@ int simulate(const EvolveOptions& options) {
       throw std::system_error(errno, std::generic_category(), "standard output");
     return status::done;
   }
+  refuse_overwriting(options, step);
   return Simulation(options, std::move(step)).run();
 }
 

@@ -70,6 +70,8 @@ void compare_step(const EvolveOptions& options, const Step& step) {
     return;
   }
   const std::string text{std::istreambuf_iterator<char>(file), {}};
+  if (text.find('\n', text.find('\n') + 1) == std::string::npos)
+    throw UsageError("--resume: " + path + " is cut off; remove it to go on with this step");
   const std::string now = describe(options, step);
   if (text == now) return;
   const auto second = [](const std::string& lines) { return lines.substr(lines.find('\n') + 1); };
@@ -105,14 +107,14 @@ Start find_start(const EvolveOptions& options, const Step& step) {
 }
 
 void forget_step(const EvolveOptions& options) {
-  if (has_step_file(options)) std::filesystem::remove(step_file(options));
+  std::error_code error;  // where it cannot be removed, the first frame cannot be written either
+  if (has_step_file(options)) std::filesystem::remove(step_file(options), error);
 }
 
 void note_step(const EvolveOptions& options, const Step& step) {
   if (!has_step_file(options)) return;
   const std::string path = step_file(options);
-  if (const auto folder = std::filesystem::path(path).parent_path(); !folder.empty())
-    std::filesystem::create_directories(folder);
+  if (const auto folder = std::filesystem::path(path).parent_path(); !folder.empty()) make_folders(folder.string());
   OutputFile file(path);
   file.write(describe(options, step));
   file.commit();

@@ -41,26 +41,40 @@ void StepLogs::create() {
   if (!history_path_.empty()) history_.emplace(GrowingFile::create(history_path_));
 }
 
-void StepLogs::reopen(double time) {
+std::vector<std::string> StepLogs::reopen(double time, double first_time) {
+  std::vector<std::string> short_files;
+  double last = first_time;
+  const auto keep = [time, &last](double line_time) {
+    if (!(line_time <= time)) return false;
+    last = line_time;
+    return true;
+  };
+  const auto note = [&](const std::string& path) {
+    if (last != time) short_files.push_back(path);
+    last = first_time;
+  };
   const auto is_there = [](const std::string& path) { return std::filesystem::is_regular_file(path); };
   if (!log_path_.empty()) {
-    const auto stays = [time](const std::string& line) { return read_step_time(line) <= time; };
+    const auto stays = [&keep](const std::string& line) { return keep(read_step_time(line)); };
     log_.emplace(continued(log_path_, is_there(log_path_) ? measure_kept(log_path_, stays) : 0));
+    note(log_path_);
   }
-  if (history_path_.empty()) return;
+  if (history_path_.empty()) return short_files;
   bool has_rows = false;
-  const auto stays = [this, time, &has_rows](const std::string& line) {
+  const auto stays = [this, &keep, &has_rows](const std::string& line) {
     if (columns_.empty()) {
       columns_ = read_history_heading(line);
       return true;
     }
-    const bool is_kept = read_history_time(columns_, line) <= time;
+    const bool is_kept = keep(read_history_time(columns_, line));
     has_rows = has_rows || is_kept;
     return is_kept;
   };
   const std::int64_t kept = is_there(history_path_) ? measure_kept(history_path_, stays) : 0;
   if (!has_rows) columns_.clear();  // the heading comes with the first row
   history_.emplace(continued(history_path_, has_rows ? kept : 0));
+  note(history_path_);
+  return short_files;
 }
 
 void StepLogs::add(const StepLine& line) {

@@ -18,8 +18,9 @@ class StepLogs {
   /// For a simulation that begins: old files are replaced when the first line is written.
   void create();
   /// For one that goes on: cuts off what came after `time`, or was half written. Files that are not there are new.
+  /// Returns the files that end before that time, so that steps are missing.
   /// Throws      InputError where a file is none of ours
-  void reopen(double time);
+  std::vector<std::string> reopen(double time, double first_time);
   /// Throws      std::system_error
   void add(const StepLine& line);
   /// A simulation without a step has empty files.

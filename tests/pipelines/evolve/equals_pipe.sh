@@ -56,6 +56,11 @@ equal "$bare" odd.json --until 0.2
 # A goal that a whole step misses by some bits only, and a frame within the slack of a step.
 equal 'advect --vx=1 --vy=0 --dt 0.1' disk.json --until 0.3 --at 0.2
 frames 3
+equal 'advect --vx=1 --vy=0 --dt 0.1' disk.json --until 0.3 --at 0.08,0.08000000000000001,0.2000000000001
+equal 'advect --vx=1 --vy=0 --dt 5' disk.json --until 1 --at 1,0.9999999999
+# An input that no tool has written: spaces, members in another order.
+python3 -c 'import json, sys; d = json.load(sys.stdin); d = {"meta": {"time": 7}, **d}; json.dump(d, sys.stdout)' <disk.json >./-spaced.json
+equal 'advect --vx=1 --vy=0 --dt 0.1' ./-spaced.json --steps 2 --every 1
 equal 'advect --vx=1 --vy=0 --dt 0.05' disk.json --steps 100 --every 20
 grep -q '"time":5,' by_evolve || fail "100 steps of 0.05 do not end at 5"
 

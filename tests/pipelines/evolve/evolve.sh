@@ -96,6 +96,23 @@ wrong 'same file' --steps 1 --log disk.json "$step" disk.json
 run 3 evolve --steps 9 --every 2 -o s.jsonl --log three.json --resume "$step" disk.json
 says 'three.json:1'
 
+wrong 'the step of -o' --steps 1 -o s.jsonl --log s.jsonl.step "$step" disk.json
+advect --dt 1e-9 --vx 0 --vy 0 --field 'velocity=1,0' disk.json >flow.json
+cp flow.json flow-before.json
+wrong 'would be overwritten' --steps 1 -o flow.json 'advect --flow flow.json --outside nearest --dt 0.1' disk.json
+same flow.json flow-before.json
+run 5 evolve --steps 1 --frames 'disk.json/f/%d.json' "$step" disk.json
+says 'disk.json/f: '
+run 5 evolve --steps 1 --step . disk.json
+says '.: Is a directory'
+run 0 evolve --steps 4 --every 2 -o hole.jsonl --log hole.log "$step" disk.json
+head -n 1 hole.log >cut && mv cut hole.log
+run 0 evolve --steps 6 --every 2 -o hole.jsonl --log hole.log --resume "$step" disk.json
+says 'hole.log ends before time 0.4'
+: >hole.jsonl.step
+run 2 evolve --steps 6 --every 2 -o hole.jsonl --resume "$step" disk.json
+says 'hole.jsonl.step is cut off'
+
 # A closed pipe ends it without a message.
 evolve --steps 100000 --every 1 "$step" disk.json 2>err | head -n 2 >out
 [ "${PIPESTATUS[0]}" = 141 ] || fail "a closed pipe: ${PIPESTATUS[0]}"
@@ -120,6 +137,21 @@ E2
   [ "$(wc -l <long.jsonl)" = 2 ] || fail "SIG$signal left $(wc -l <long.jsonl) frames"
   qualityreport --fail-if 'invalid > 0' long.jsonl >/dev/null || fail "the state that SIG$signal left"
 done
+
+# A second signal ends it at once, in the middle of a step.
+python3 - <<'E2' || fail "a second signal"
+import os, signal, subprocess, sys, time
+step = "advect --vx=0.01*sin(y) --vy=0.01*sin(x) --dt 1 --substeps 1000000".replace("0.01*sin(y)", "'0.01*sin(y)'").replace(
+    "0.01*sin(x)", "'0.01*sin(x)'")
+process = subprocess.Popen(["evolve", "--steps", "100", "-o", "slow.jsonl", step, "disk.json"], stderr=subprocess.DEVNULL)
+for _ in range(1000):
+    if not os.path.exists("slow.jsonl.step"):
+        time.sleep(0.01)
+for _ in range(2):
+    time.sleep(0.1)
+    process.send_signal(signal.SIGTERM)
+sys.exit(process.wait() != -signal.SIGTERM)
+E2
 
 # A step that cannot be finished: status 4, the time, the place, and the last valid state.
 block='advect --vx "x > 0.2 ? -8*x : 0" --vy 0 --dt 1 --substeps 50'
