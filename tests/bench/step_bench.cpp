@@ -90,7 +90,8 @@ Mesh many_cells(double triangles) {
   const int rows = static_cast<int>(std::sqrt(triangles / triangles_per_cell));
   BoundaryComplex boundary = samples::square();
   for (int k = 0; k < rows * rows; ++k) {
-    const double x = (k % rows + 0.5) / rows, y = (k / rows + 0.5) / rows, radius = (0.36 + 0.02 * (k % 3)) / rows;
+    const int row = k / rows;
+    const double x = (k % rows + 0.5) / rows, y = (row + 0.5) / rows, radius = (0.36 + 0.02 * (k % 3)) / rows;
     boundary.faces.push_back({"cell " + std::to_string(k), {}});
     boundary.curves.push_back(
         samples::closed_curve("membrane " + std::to_string(k), samples::circle(2, {x, y}, radius, 16), k + 1, 0));

@@ -120,7 +120,7 @@ silent
 
 # Signals: the state is written, --resume goes on to the bytes of a run that nobody stopped.
 for signal in INT TERM; do
-  rm -f long.jsonl
+  rm -f long.jsonl long.jsonl.step
   # A background job of a script ignores SIGINT, unless Python sets it right.
   python3 - "$signal" "$step" <<'E2' || fail "SIG$signal"
 import os, signal, subprocess, sys, time
