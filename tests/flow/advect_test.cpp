@@ -16,13 +16,6 @@ AdvectOptions step_of(double dt, int substeps = 1) {
   return options;
 }
 
-/// The greatest distance between control points of the two meshes.
-double difference(const Mesh& a, const Mesh& b) {
-  double greatest = 0;
-  for (PointId p = 0; p < a.point_slots(); ++p) greatest = std::max(greatest, distance(a.point(p), b.point(p)));
-  return greatest;
-}
-
 bool took(Mesh& mesh, const VelocityField& velocity, const AdvectOptions& options) {
   return advect(mesh, velocity, options).status == AdvectOutcome::Status::done;
 }

@@ -1,5 +1,6 @@
 // tests/flow/flow_meshes.h: meshes for motion: closed cells, and two rooms with corners and an interface.
 #pragma once
+#include <algorithm>
 #include <catch2/catch.hpp>
 
 #include "pliant/geometry/control_net.h"
@@ -8,6 +9,13 @@
 #include "support/sample_meshes.h"
 
 namespace pliant::flow_meshes {
+
+/// The greatest distance between control points of the two meshes.
+inline double difference(const Mesh& a, const Mesh& b) {
+  double greatest = 0;
+  for (PointId p = 0; p < a.point_slots(); ++p) greatest = std::max(greatest, distance(a.point(p), b.point(p)));
+  return greatest;
+}
 
 /// A straight open curve of two spans.
 inline Curve straight_curve(int degree, const std::vector<Point>& vertices, int start, int end, int left, int right) {

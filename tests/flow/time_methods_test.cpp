@@ -51,12 +51,6 @@ AdvectOptions options_of(double dt, TimeMethod method, int substeps = 1) {
   return options;
 }
 
-double difference(const Mesh& a, const Mesh& b) {
-  double greatest = 0;
-  for (PointId p = 0; p < a.point_slots(); ++p) greatest = std::max(greatest, distance(a.point(p), b.point(p)));
-  return greatest;
-}
-
 }  // namespace
 
 TEST_CASE("each method has its order in time: 1, 2, 4 and 5", "[flow]") {
