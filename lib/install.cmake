@@ -3,10 +3,10 @@
 # All of it at once, for users of the installed package; the documents of formats/ come with it.
 add_library(pliant INTERFACE)
 add_library(pliant::pliant ALIAS pliant)
-target_link_libraries(pliant INTERFACE pliant_evolve pliant_generate pliant_flow pliant_formats)
+target_link_libraries(pliant INTERFACE pliant_evolve pliant_generate pliant_flow pliant_fem pliant_formats)
 
 # The global smoother stays with its tool: who used the package would need Ceres, and its licence.
-install(TARGETS pliant pliant_geometry pliant_boundary pliant_mesh pliant_ops pliant_quality pliant_flow pliant_evolve pliant_improve
+install(TARGETS pliant pliant_geometry pliant_boundary pliant_mesh pliant_ops pliant_quality pliant_flow pliant_fem pliant_evolve pliant_improve
                 pliant_generate
         EXPORT pliantTargets FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 # In the tree and installed, these are included as "formats/document/mesh_json.h". Users need not have nlohmann-json.
