@@ -4,6 +4,8 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "pliant/geometry/symmetric_rule.h"
+
 using namespace pliant;
 
 namespace {
@@ -18,9 +20,10 @@ double power(double x, int n) { return n == 0 ? 1 : std::pow(x, n); }
 }  // namespace
 
 TEST_CASE("triangle rules integrate every monomial of their degree", "[geometry][oracle]") {
+  auto* const make_rule = GENERATE(&triangle_rule, &symmetric_rule);
   for (int degree = 0; degree <= 40; ++degree) {
     CAPTURE(degree);
-    const auto rule = triangle_rule(degree);
+    const auto rule = make_rule(degree);
     for (int a = 0; a <= degree; ++a) {
       for (int b = 0; a + b <= degree; ++b) {
         const int c = degree - a - b;  // homogeneous monomials span all polynomials of lower degree as well
@@ -34,8 +37,9 @@ TEST_CASE("triangle rules integrate every monomial of their degree", "[geometry]
 
 TEST_CASE("triangle rules have inner points, positive weights and barycentric coordinates that sum to 1",
           "[geometry]") {
+  auto* const make_rule = GENERATE(&triangle_rule, &symmetric_rule);
   for (int degree = 0; degree <= 40; ++degree) {
-    for (const auto& [xi, weight] : triangle_rule(degree)) {
+    for (const auto& [xi, weight] : make_rule(degree)) {
       CHECK(weight > 0);
       CHECK((xi[0] > 0 && xi[1] > 0 && xi[2] > 0));
       CHECK(xi[0] + xi[1] + xi[2] == Approx(1).epsilon(1e-15));
@@ -61,4 +65,11 @@ TEST_CASE("segment rules integrate every monomial of their degree", "[geometry][
       CHECK(sum == Approx(1.0 / (n + 1)).epsilon(1e-14));
     }
   }
+}
+
+TEST_CASE("the symmetric rules have the points of the publication", "[geometry]") {
+  CHECK(symmetric_rule(6).size() == 12);
+  CHECK(symmetric_rule(10).size() == 25);
+  CHECK(symmetric_rule(12).size() == 33);
+  CHECK(symmetric_rule(20).size() == 79);
 }

@@ -88,6 +88,11 @@ void VelocityOption::add(CLI::App& app) {
       ->type_name("NAME");
 }
 
+bool VelocityOption::is_given(const CLI::App& app) {
+  const char* const ways[] = {"--vx", "--vy", "--flow", "--velocity-field"};
+  return std::ranges::any_of(ways, [&app](const char* way) { return app.count(way) > 0; });
+}
+
 void VelocityOption::check(const CLI::App& app) {
   const bool x = app.count("--vx") > 0;
   const bool y = app.count("--vy") > 0;

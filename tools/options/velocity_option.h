@@ -20,6 +20,8 @@ class VelocityOption {
   /// Reads what was parsed, compiles the expressions and reads the file of a flow.   Throws UsageError, and what
   /// read_flow throws
   void check(const CLI::App& app);
+  /// Was one of the three ways given?
+  static bool is_given(const CLI::App& app);
   /// The velocity in units of the document; empty with --velocity-field.
   const VelocityField& velocity() const { return velocity_; }
   /// The index of the field that --velocity-field names.   Throws InputError

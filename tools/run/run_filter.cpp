@@ -87,6 +87,10 @@ int run_filter(Stage& stage, int argc, char** argv) {
         quality->missed_before = count_missed(mesh);
         measuring += watch.lap();
       }
+      if (stage.explains()) {
+        in_unit(mesh.boundary().unit, [&] { output.write(stage.explanation(mesh)); });
+        return;
+      }
       line.stage("work");
       const PassReport report = run_stage(stage, mesh, context);
       seconds.emplace_back("pass", watch.lap());

@@ -10,6 +10,7 @@
 #include "run/exit_status.h"
 #include "stages/advect.h"
 #include "stages/coarsen.h"
+#include "stages/diffuse.h"
 #include "stages/flipdelaunay.h"
 #include "stages/refine.h"
 #include "stages/smoothcurves.h"
@@ -31,6 +32,7 @@ std::unique_ptr<Stage> make() {
 // clang-format off
 constexpr std::array stages{
     Entry{"advect", make<AdvectStage>},
+    Entry{"diffuse", make<DiffuseStage>},
     Entry{"flipdelaunay", make<FlipDelaunayStage>},
     Entry{"refine", make<RefineStage>},
     Entry{"coarsen", make<CoarsenStage>},

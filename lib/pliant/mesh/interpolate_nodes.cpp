@@ -103,17 +103,6 @@ int find_field(const Mesh& mesh, const std::string& name) {
   return none;
 }
 
-/// Every pair of a point and a face that has the point in one of its elements, sorted.
-std::vector<std::array<std::int32_t, 2>> places_of(const Mesh& mesh) {
-  std::vector<std::array<std::int32_t, 2>> places;
-  for (TriangleId t = 0; t < mesh.triangle_slots(); ++t)
-    if (mesh.is_alive(t))
-      for (const PointId p : mesh.net(t)) places.push_back({p, mesh.face(t)});
-  std::ranges::sort(places);
-  places.erase(std::unique(places.begin(), places.end()), places.end());
-  return places;
-}
-
 }  // namespace
 
 void interpolate_nodes(const Mesh& mesh, FaceId face, int width, const NodeFunction& function, std::span<char> known,
@@ -125,6 +114,16 @@ void interpolate_nodes(const Mesh& mesh, FaceId face, int width, const NodeFunct
     for (int e = 0; e < 3; ++e) nodes.edge(half_edge(t, e));
     nodes.interior(t);
   }
+}
+
+std::vector<std::array<std::int32_t, 2>> field_places(const Mesh& mesh) {
+  std::vector<std::array<std::int32_t, 2>> places;
+  for (TriangleId t = 0; t < mesh.triangle_slots(); ++t)
+    if (mesh.is_alive(t))
+      for (const PointId p : mesh.net(t)) places.push_back({p, mesh.face(t)});
+  std::ranges::sort(places);
+  places.erase(std::unique(places.begin(), places.end()), places.end());
+  return places;
 }
 
 Field make_field(const Mesh& mesh, const std::string& name, int components, FaceId face, const NodeFunction& function,
@@ -156,7 +155,7 @@ Field make_field(const Mesh& mesh, const std::string& name, int components, Face
     field.values = std::move(rows);
     return field;
   }
-  field.places = places_of(mesh);
+  field.places = field_places(mesh);
   field.values.reserve(field.places.size() * width);
   for (const auto& [p, f] : field.places) {
     const double* from = nullptr;

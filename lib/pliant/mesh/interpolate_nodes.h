@@ -1,8 +1,11 @@
 // lib/pliant/mesh/interpolate_nodes.h: control values of a function of position, by interpolation (paper §6.1).
 #pragma once
+#include <array>
+#include <cstdint>
 #include <functional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "pliant/mesh/mesh.h"
 
@@ -31,5 +34,8 @@ void interpolate_nodes(const Mesh& mesh, FaceId face, int width, const NodeFunct
 ///             number of components: the result then has no values, and `why` says why; otherwise `why` is empty
 Field make_field(const Mesh& mesh, const std::string& name, int components, FaceId face, const NodeFunction& function,
                  std::string& why);
+
+/// Every pair of a point and a face that has the point in one of its elements, sorted: the places of a field by face.
+std::vector<std::array<std::int32_t, 2>> field_places(const Mesh& mesh);
 
 }  // namespace pliant

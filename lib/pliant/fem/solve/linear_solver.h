@@ -51,4 +51,7 @@ std::unique_ptr<LinearSolver> make_conjugate_gradients();
 /// LU with a symmetric ordering, for general matrices.
 std::unique_ptr<LinearSolver> make_direct_general();
 
+/// The solver for a symmetric positive definite matrix of so many rows. `mass_dominated` says that it is like M + dt K.
+std::unique_ptr<LinearSolver> make_symmetric_solver(int rows, bool mass_dominated);
+
 }  // namespace pliant

@@ -1,0 +1,121 @@
+// lib/pliant/fem/diffusion/diffusion_values.cpp: given and initial values, and whether they determine a solution.
+#include <algorithm>
+#include <array>
+#include <numeric>
+
+#include "pliant/boundary/fault.h"
+#include "pliant/fem/diffusion/diffusion_equation.h"
+#include "pliant/geometry/control_net.h"
+#include "pliant/geometry/index.h"
+
+namespace pliant {
+
+void DiffusionEquation::fix(const Configuration& at, std::span<double> unknowns) const {
+  const std::size_t n = index(mesh_.degree()) + 1;
+  const double unit = mesh_.boundary().unit;
+  std::vector<double> polygon(2 * n), values(n);
+  for_each_conditioned_edge([&](HalfEdgeId h, const DiffusionCondition& condition, std::span<const int> on_edge) {
+    if (condition.kind != DiffusionCondition::Kind::value) return;
+    for (std::size_t k = 0; k < n; ++k) {
+      const Point& p = at.points[index(mesh_.edge_point(h, static_cast<int>(k)))];
+      polygon[2 * k] = p.x;
+      polygon[2 * k + 1] = p.y;
+    }
+    for (std::size_t k = 0; k < n; ++k) {
+      const double s = static_cast<double>(k) / mesh_.degree();
+      Barycentric xi{0, 0, 0};
+      xi[index(edge_of(h))] = 1 - s;
+      xi[index(edge_of(next(h)))] = s;
+      std::array<double, 2> x;
+      evaluate_polygon(mesh_.degree(), 2, polygon, s, x);
+      values[k] = evaluate_at(condition.first, {mesh_, triangle_of(h), xi, {unit * x[0], unit * x[1]}, at.time});
+    }
+    interpolate_polygon(mesh_.degree(), 1, values);
+    for (std::size_t k = 0; k < n; ++k) unknowns[index(on_edge[k])] = values[k];
+    if (mesh_.twin(h) == none) return;
+    std::vector<int> beyond(n);
+    gather_edge(mesh_.twin(h), beyond);
+    for (std::size_t k = 0; k < n; ++k) unknowns[index(beyond[k])] = values[n - 1 - k];
+  });
+}
+
+std::vector<double> DiffusionEquation::initial_unknowns(const Configuration& at) const {
+  const NetLayout& layout = mesh_.layout();
+  const int p = mesh_.degree();
+  const std::size_t n = index(layout.size());
+  const double unit = mesh_.boundary().unit;
+  std::vector<double> net(2 * n), values(n), polygon(index(p) + 1);
+  std::vector<double> sums(index(space_.size()), 0.0), last(index(space_.size()), 0.0);
+  std::vector<int> counts(index(space_.size()), 0), faces(index(space_.size()), none);
+  for (TriangleId t = 0; t < mesh_.triangle_slots(); ++t) {
+    const FaceId face = mesh_.face(t);
+    std::size_t k = 0;
+    for (const PointId point : mesh_.net(t)) {
+      net[2 * k] = at.points[index(point)].x;
+      net[2 * k + 1] = at.points[index(point)].y;
+      ++k;
+    }
+    for (int i = 0; i < layout.size(); ++i) {
+      const auto& exponents = layout.exponents(i);
+      Barycentric xi{};
+      for (std::size_t c = 0; c < 3; ++c) xi[c] = static_cast<double>(exponents[c]) / p;
+      std::array<double, 2> x;
+      evaluate_net(p, 2, net, xi, x);
+      values[index(i)] =
+          evaluate_at(*problem_.initial[index(face)], {mesh_, t, xi, {unit * x[0], unit * x[1]}, at.time});
+    }
+    for (int e = 0; e < 3; ++e) {
+      for (int i = 0; i <= p; ++i) polygon[index(i)] = values[index(layout.edge_index(e, i))];
+      interpolate_polygon(p, 1, polygon);
+      for (int i = 1; i < p; ++i) values[index(layout.edge_index(e, i))] = polygon[index(i)];
+    }
+    if (p > 2) interpolate_interior(p, 1, values);
+    for (std::size_t i = 0; i < n; ++i) {
+      const std::size_t unknown = index(space_.of(t)[i]);
+      if (faces[unknown] == face || (counts[unknown] > 0 && last[unknown] == values[i])) continue;
+      faces[unknown] = face;  // elements of two faces by turns count more than once, which does no harm
+      last[unknown] = values[i];
+      sums[unknown] += values[i];
+      ++counts[unknown];
+    }
+  }
+  for (std::size_t i = 0; i < sums.size(); ++i) sums[i] /= counts[i];
+  return sums;
+}
+
+void DiffusionEquation::require_determined() const {
+  // Unknowns that no element and no jump connects have solutions of their own, each of which something must hold.
+  std::vector<int> parent(index(space_.size()));
+  std::iota(parent.begin(), parent.end(), 0);
+  const auto root = [&parent](int i) {
+    while (parent[index(i)] != i) i = parent[index(i)] = parent[index(parent[index(i)])];
+    return i;
+  };
+  const auto unite = [&](int a, int b) { parent[index(root(a))] = root(b); };
+  for (TriangleId t = 0; t < mesh_.triangle_slots(); ++t)
+    for (const int i : space_.of(t)) unite(i, space_.of(t)[0]);
+  const std::size_t m = 2 * (index(mesh_.degree()) + 1);
+  for (std::size_t k = 0; k < jump_members_.size(); ++k) unite(jump_members_[k], jump_members_[k - k % m]);
+  std::vector<char> held(parent.size(), 0);
+  for (std::size_t i = 0; i < fixed_.size(); ++i)
+    if (fixed_[i] != 0) held[index(root(static_cast<int>(i)))] = 1;
+  for_each_conditioned_edge([&](HalfEdgeId, const DiffusionCondition& condition, std::span<const int> unknowns) {
+    if (condition.kind == DiffusionCondition::Kind::robin) held[index(root(unknowns[0]))] = 1;
+  });
+  for (TriangleId t = 0; t < mesh_.triangle_slots(); ++t) {
+    if (held[index(root(space_.of(t)[0]))] != 0) continue;
+    std::string curves;
+    for (std::size_t c = 0; c < edges_.size(); ++c) {
+      const Curve& curve = mesh_.boundary().curves[c];
+      if (curve.left == mesh_.face(t) || curve.right == mesh_.face(t))
+        curves += (curves.empty() ? "\"" : ", \"") + curve.name + "\"";
+    }
+    throw InputError(
+        "/problem/diffuse/conditions",
+        "a steady solution is determined up to a constant only in the part of the domain that holds face \"" +
+            mesh_.boundary().faces[index(mesh_.face(t))].name +
+            "\": one of its curves needs a condition \"value\" or \"robin\" (curves of this face: " + curves + ")");
+  }
+}
+
+}  // namespace pliant

@@ -1,0 +1,86 @@
+// tests/fem/steady_diffusion_test.cpp: patch tests, exact profiles, and orders of convergence of steady solutions.
+#include <catch2/catch.hpp>
+#include <numbers>
+
+#include "fem/diffusion_problems.h"
+#include "pliant/boundary/fault.h"
+#include "pliant/mesh/check_mesh.h"
+#include "support/mapped_meshes.h"
+#include "support/sample_meshes.h"
+
+using namespace pliant;
+using namespace pliant::samples;
+using Kind = DiffusionCondition::Kind;
+
+namespace {
+
+const char* const sides[] = {"south", "east", "north", "west"};
+
+}  // namespace
+
+TEST_CASE("linear functions are reproduced on curved elements of any degree", "[fem][oracle]") {
+  const int p = GENERATE(1, 2, 3, 4, 5);
+  CAPTURE(p);
+  Mesh mesh(mapped_square(p, 3, bend));
+  REQUIRE(check_structure(mesh.to_data()).empty());
+  const Exact linear{[](double x, double y, double) { return 2 + 3 * x - 5 * y; },
+                     [](double, double, double) { return 3.0; }, [](double, double, double) { return -5.0; }};
+  DiffusionProblem problem = plain_problem(mesh.boundary());
+  problem.materials[0].diffusivity = {Coefficient(2), Coefficient(0.5), Coefficient(1)};
+  for (const char* side : sides) add_condition(problem, mesh.boundary(), side, Kind::value, coefficient(linear.value));
+  Diffusion diffusion(problem, mesh, {});
+  diffusion.solve_steady();
+  const auto [l2, h1] = errors_of(mesh, linear);
+  CHECK(l2 < 1e-13);
+  CHECK(h1 < 1e-11);
+}
+
+TEST_CASE("a profile of two layers is exact, whatever the conductivities", "[fem][oracle]") {
+  const int p = GENERATE(1, 2, 3, 4);
+  const double k = GENERATE(10.0, 1e-3, 1e6);
+  CAPTURE(p, k);
+  // Straight sides left and right, elements bent inside: x itself is in the space.
+  const Map map = [](double x, double y) { return Point{x, y + 0.1 * x * (1 - x) * std::sin(std::numbers::pi * y)}; };
+  Mesh mesh(mapped_square(p, 4, map, true));
+  REQUIRE(check_structure(mesh.to_data()).empty());
+  DiffusionProblem problem = plain_problem(mesh.boundary());
+  problem.materials[1].diffusivity = {Coefficient(k)};
+  add_condition(problem, mesh.boundary(), "west", Kind::value, Coefficient(0));
+  add_condition(problem, mesh.boundary(), "east", Kind::value, Coefficient(1));
+  DiffusionOptions options;
+  options.wants_fluxes = true;
+  Diffusion diffusion(problem, mesh, options);
+  diffusion.solve_steady();
+  const double flux = 1 / (0.5 / 1 + 0.5 / k);  // per height
+  const Exact profile{[&](double x, double, double) { return x < 0.5 ? flux * x : 1 - flux / k * (1 - x); }, {}, {}};
+  CHECK(errors_of(mesh, profile).l2 < 1e-12);
+}
+
+TEST_CASE("steady errors fall with order p + 1 in L2 and p in H1 on curved families", "[fem][order]") {
+  const int p = GENERATE(1, 2, 3, 4);
+  CAPTURE(p);
+  const Exact exact{
+      [](double x, double y, double) { return std::sin(2 * x + y) * std::exp(y); },
+      [](double x, double y, double) { return 2 * std::cos(2 * x + y) * std::exp(y); },
+      [](double x, double y, double) { return (std::cos(2 * x + y) + std::sin(2 * x + y)) * std::exp(y); }};
+  const Formula source = [](double x, double y, double) {
+    const double s = std::sin(2 * x + y), c = std::cos(2 * x + y);
+    return -(-4 * s - s + 2 * c + s) * std::exp(y);
+  };
+  Errors coarse;
+  for (int n = 4; n <= 8; n *= 2) {
+    Mesh mesh(mapped_square(p, n, bend));
+    DiffusionProblem problem = plain_problem(mesh.boundary());
+    problem.materials[0].source = coefficient(source);
+    for (const char* side : sides) add_condition(problem, mesh.boundary(), side, Kind::value, coefficient(exact.value));
+    Diffusion diffusion(problem, mesh, {});
+    diffusion.solve_steady();
+    const Errors errors = errors_of(mesh, exact);
+    if (n > 4) {
+      CAPTURE(errors.l2, errors.h1);
+      CHECK(order(coarse.l2, errors.l2) > p + 0.75);
+      CHECK(order(coarse.h1, errors.h1) > p - 0.25);
+    }
+    coarse = errors;
+  }
+}

@@ -1,0 +1,8 @@
+// tools/diffuse.cpp: solves convection-diffusion equations on meshes, at rest or in motion.
+#include "run/run_filter.h"
+#include "stages/diffuse.h"
+
+int main(int argc, char** argv) {
+  pliant::DiffuseStage stage;
+  return pliant::run_filter(stage, argc, argv);
+}
