@@ -29,6 +29,7 @@ Kind recognize_json(std::string_view head) {
   const auto holds = [head](std::string_view text) { return head.find(text) != std::string_view::npos; };
   if (holds("\"pliant-mesh\"")) return {"a mesh", "", true, "pliant-mesh"};
   if (holds("\"pliant-boundary\"")) return {"a boundary", "", true, "pliant-boundary"};
+  if (holds("\"pliant-problem\"")) return {"a problem", "", true, "pliant-problem"};
   if (holds("\"asset\"") && holds("\"version\"")) return {"a glTF file", "which no tool of Pliant reads"};
   if (holds("\"FeatureCollection\"") || holds("\"Feature\""))
     return {"a GeoJSON file", "which no tool of Pliant reads"};
@@ -60,13 +61,14 @@ Kind recognize(std::string_view bytes) {
 std::string describe_other_format(std::string_view format) {
   if (format == "pliant-mesh") return "this is a mesh, which all tools but bspline2mesh and import-* read";
   if (format == "pliant-boundary") return "this is a boundary, of which bspline2mesh makes a mesh";
+  if (format == "pliant-problem") return "this is a problem, which diffuse reads with --problem beside a mesh";
   return {};
 }
 
 std::string describe_other_kind(std::string_view bytes, FileKind wanted) {
   const Kind kind = recognize(bytes);
   if (kind.name.empty()) return {};
-  const bool wants_document = wanted == FileKind::mesh || wanted == FileKind::boundary;
+  const bool wants_document = wanted != FileKind::svg && wanted != FileKind::msh;
   if ((wanted == FileKind::svg && kind.name == svg_drawing.name) ||
       (wanted == FileKind::msh && kind.name == msh_file.name))
     return {};

@@ -9,7 +9,7 @@ namespace pliant {
 inline constexpr std::size_t recognized_by = 4096;  ///< first bytes, or fewer
 
 /// The kinds that tools read.
-enum class FileKind { mesh, boundary, svg, msh };
+enum class FileKind { mesh, boundary, svg, msh, problem };
 
 /// "this is an SVG drawing, which import-svg reads", if the bytes look like a file of another kind than `wanted`;
 /// empty if they look like nothing known.

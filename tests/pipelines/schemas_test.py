@@ -14,7 +14,7 @@ except ImportError:
     sys.exit(77)
 
 source = pathlib.Path(sys.argv[1])
-schemas = {name: json.loads((source / "formats" / f"{name}.schema.json").read_text()) for name in ("mesh", "boundary", "evolve_log")}
+schemas = {name: json.loads((source / "formats" / f"{name}.schema.json").read_text()) for name in ("mesh", "boundary", "evolve_log", "problem")}
 store = {f"{name}.schema.json": schema for name, schema in schemas.items()}
 
 
@@ -36,7 +36,7 @@ for name in schemas:
     for text in re.findall(r"```json\n(.*?)```", page, re.S):
         examples[name] = json.loads(text)
         failures += [f"{name}.md: {e.json_path} {e.message}" for e in validators[name].iter_errors(examples[name])]
-assert len(examples) == 3
+assert len(examples) == 4
 if status(examples["mesh"]) != 0:
     failures.append("mesh.md: the tools refuse the example")
 

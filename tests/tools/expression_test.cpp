@@ -1,14 +1,20 @@
 // tests/tools/expression_test.cpp: expressions from the command line: their values, and what is refused.
 #include "options/expression.h"
 
+#include <muParser.h>
+
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
 #include <thread>
 
+#include "formats/problem/names.h"
+
 using Catch::Matchers::Contains;
 using pliant::Expression;
+using pliant::ExpressionNames;
 
 TEST_CASE("an expression is a function of x, y and t", "[expression]") {
   CHECK(Expression("x + 10*y + 100*t")(1, 2, 3) == 321);
@@ -49,6 +55,40 @@ TEST_CASE("an expression knows which variables it uses", "[expression]") {
   CHECK(expression.uses("x"));
   CHECK_FALSE(expression.uses("y"));
   CHECK(expression.uses("t"));
+}
+
+TEST_CASE("an expression may have named constants and variables", "[expression]") {
+  const ExpressionNames names{{{"k", 0.5}, {"x_", 3}}, {"u", "vel_x", "w", "unused"}, "; parameters: k"};
+  const Expression expression("k*w + 10*u + 100*x + x_ + t", names);
+  REQUIRE(expression.variables() == std::vector<std::string>{"u", "w"});
+  const std::vector<double> values{4, 8};
+  CHECK(expression(1, 0, 1000, values) == 1147);
+  CHECK(expression.uses("w"));
+  CHECK_FALSE(expression.uses("unused"));
+  CHECK_FALSE(expression.uses("k"));
+  // A copy keeps names, and neither sees the other's values.
+  const Expression copy = expression;
+  CHECK(copy(0, 0, 0, std::vector<double>{1, 0}) == 13);
+  CHECK(expression(1, 0, 1000, values) == 1147);
+  Expression assigned("x");
+  assigned = expression;
+  CHECK(assigned(1, 0, 1000, values) == 1147);
+  CHECK(Expression("vel_x^2", names)(0, 0, 0, std::vector<double>{-3}) == 9);
+  CHECK(Expression("k + x", names)(1, 0, 0) == 1.5);
+  CHECK_THROWS_WITH(Expression("q", names), Contains("variables are x, y and t; parameters: k"));
+  CHECK_THROWS_WITH(Expression("q"), Contains("(variables are x, y and t)"));
+  for (const char* text : {"k = 3", "u = 3", "w += 1"}) CHECK_THROWS_WITH(Expression(text, names), Contains("=="));
+}
+
+TEST_CASE("the names that problems leave to expressions are those that the parser has", "[expression]") {
+  mu::Parser parser;
+  std::vector<std::string> known = pliant::expression_functions(), there{"pow", "mod", "hypot", "floor", "ceil"};
+  for (const auto& function : parser.GetFunDef()) there.push_back(function.first);
+  std::sort(known.begin(), known.end());
+  std::sort(there.begin(), there.end());
+  CHECK(known == there);
+  for (const auto& constant : parser.GetConst()) CHECK_FALSE(pliant::fault_of_name(constant.first).empty());
+  for (const std::string& name : known) CHECK_THROWS_AS(Expression(name), std::invalid_argument);
 }
 
 TEST_CASE("copies are independent, so that each thread may have its own", "[expression]") {

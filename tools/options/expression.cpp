@@ -1,8 +1,10 @@
-// tools/options/expression.cpp: formulas in x, y and t, as muParser evaluates them.
+// tools/options/expression.cpp: formulas in x, y, t and other names, as muParser evaluates them.
 #include "options/expression.h"
 
 #include <muParser.h>
 
+#include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
@@ -25,6 +27,10 @@ void define_names(mu::Parser& parser) {
   parser.DefineFun("ceil", round_up);
 }
 
+void define_constants(mu::Parser& parser, const ExpressionNames& names) {
+  for (const auto& [name, value] : names.constants) parser.DefineConst(name, value);
+}
+
 /// The parser's message without its own mention of the place.
 std::string without_position(const std::string& message) {
   for (const char* tail : {" found at position", " at position", " at expression position", " (position:"})
@@ -43,13 +49,15 @@ std::string without_position(const std::string& message) {
 
 /// Evaluates once with the variables as constants: so the parser itself refuses an assignment such as "x = 3", which
 /// would otherwise change x behind our back.
-void check(const std::string& text) {
+void check(const std::string& text, const ExpressionNames& names) {
   if (text.find_first_not_of(" \t\r\n") == std::string::npos) refuse(text, "the expression is empty", -1);
   mu::Parser parser;
   define_names(parser);
   for (const char* name : {"x", "y", "t"}) parser.DefineConst(name, 0.5);
   int values = 0;
   try {
+    define_constants(parser, names);
+    for (const std::string& name : names.variables) parser.DefineConst(name, 0.5);
     parser.SetExpr(text);
     parser.Eval(values);
   } catch (const mu::Parser::exception_type& error) {
@@ -58,7 +66,7 @@ void check(const std::string& text) {
       refuse(text, "\"=\" would assign; to compare write \"==\"", error.GetPos());
     std::string why = without_position(error.GetMsg());
     if (error.GetCode() == mu::ecUNASSIGNABLE_TOKEN)
-      why = "\"" + token + "\" is no name that is known here (variables are x, y and t)";
+      why = "\"" + token + "\" is no name that is known here (variables are x, y and t" + names.list + ")";
     refuse(text, why, error.GetPos());
   }
   if (values != 1) refuse(text, "one value is wanted, here are " + std::to_string(values), -1);
@@ -68,26 +76,47 @@ void check(const std::string& text) {
 
 struct Expression::State {
   std::string text;
+  ExpressionNames names;  // of the variables only those that are used
   mu::Parser parser;
-  double x = 0, y = 0, t = 0;  // bound to the parser by address
+  double x = 0, y = 0, t = 0;  // bound to the parser by address, as are these:
+  std::vector<double> values;
 
-  explicit State(const std::string& formula) : text(formula) {
+  State(const std::string& formula, const ExpressionNames& given) : text(formula), names(given) {
     define_names(parser);
+    define_constants(parser, names);
     parser.DefineVar("x", &x);
     parser.DefineVar("y", &y);
     parser.DefineVar("t", &t);
+    values.resize(names.variables.size());
+    for (std::size_t k = 0; k < values.size(); ++k) parser.DefineVar(names.variables[k], &values[k]);
+    parser.SetExpr(text);
+    keep_used();
+  }
+
+ private:
+  void keep_used() {
+    if (names.variables.empty()) return;
+    const auto used = parser.GetUsedVar();
+    for (std::size_t k = names.variables.size(); k-- > 0;)
+      if (!used.contains(names.variables[k])) {
+        parser.RemoveVar(names.variables[k]);
+        names.variables.erase(names.variables.begin() + static_cast<std::ptrdiff_t>(k));
+      }
+    values.resize(names.variables.size());  // keeps its memory, so the addresses that stay are those of others
+    for (std::size_t k = 0; k < values.size(); ++k) parser.DefineVar(names.variables[k], &values[k]);
     parser.SetExpr(text);
   }
 };
 
-Expression::Expression(const std::string& text) {
-  check(text);
-  state_ = std::make_unique<State>(text);
+Expression::Expression(const std::string& text) : Expression(text, ExpressionNames{}) {}
+Expression::Expression(const std::string& text, const ExpressionNames& names) {
+  check(text, names);
+  state_ = std::make_unique<State>(text, names);
 }
-Expression::Expression(const Expression& other) : state_(std::make_unique<State>(other.text())) {}
+Expression::Expression(const Expression& other) : state_(std::make_unique<State>(other.text(), other.state_->names)) {}
 Expression::Expression(Expression&&) noexcept = default;
 Expression& Expression::operator=(const Expression& other) {
-  if (this != &other) state_ = std::make_unique<State>(other.text());
+  if (this != &other) state_ = std::make_unique<State>(other.text(), other.state_->names);
   return *this;
 }
 Expression& Expression::operator=(Expression&&) noexcept = default;
@@ -100,9 +129,17 @@ double Expression::operator()(double x, double y, double t) const {
   return state_->parser.Eval();
 }
 
+double Expression::operator()(double x, double y, double t, std::span<const double> values) const {
+  assert(values.size() == state_->values.size());
+  std::copy(values.begin(), values.end(), state_->values.begin());
+  return (*this)(x, y, t);
+}
+
 const std::string& Expression::text() const { return state_->text; }
 
 bool Expression::uses(const std::string& variable) const { return state_->parser.GetUsedVar().contains(variable); }
+
+const std::vector<std::string>& Expression::variables() const { return state_->names.variables; }
 
 std::vector<std::string> split_expressions(const std::string& text) {
   std::vector<std::string> parts(1);

@@ -1,10 +1,20 @@
-// tools/options/expression.h: a formula in x, y and t from the command line as a function (muParser).
+// tools/options/expression.h: a formula in x, y and t, and in other names, as a function (muParser).
 #pragma once
 #include <memory>
+#include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace pliant {
+
+/// The names that a formula may use beside x, y and t.
+/// Requires    names of which `fault_of_name` (formats/problem/names.h) finds nothing, each once
+struct ExpressionNames {
+  std::vector<std::pair<std::string, double>> constants;
+  std::vector<std::string> variables;
+  std::string list{};  ///< what a message says of them behind "variables are x, y and t", for example "; parameters: k"
+};
 
 /// One formula, compiled once.
 ///
@@ -19,6 +29,7 @@ class Expression {
   /// Throws      std::invalid_argument with the place in the text: for what is no formula, for an assignment, for more
   ///             than one value
   explicit Expression(const std::string& text);
+  Expression(const std::string& text, const ExpressionNames& names);
   Expression(const Expression& other);
   Expression(Expression&&) noexcept;
   Expression& operator=(const Expression& other);
@@ -26,9 +37,13 @@ class Expression {
   ~Expression();
 
   double operator()(double x, double y, double t) const;
+  /// With the values of `variables`, in their order.
+  double operator()(double x, double y, double t, std::span<const double> values) const;
   const std::string& text() const;
-  /// True if the formula names that variable ("x", "y" or "t").
+  /// True if the formula names that variable ("x", "y", "t", or one of its `variables`).
   bool uses(const std::string& variable) const;
+  /// Those of the names' variables that the formula uses: evaluating needs no others.
+  const std::vector<std::string>& variables() const;
 
  private:
   struct State;

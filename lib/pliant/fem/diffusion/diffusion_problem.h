@@ -41,7 +41,8 @@ struct DiffusionProblem {
   std::vector<std::optional<Coefficient>> initial;  ///< for each face; used where the mesh has no such field
   std::vector<Coefficient> convection;              ///< two components of a velocity relative to the mesh; empty: none
   bool depends_on_unknown = false;  ///< some coefficient uses the unknown itself: the equation is not linear
-  bool depends_on_time = false;     ///< some coefficient uses the time, or a field
+  bool depends_on_time = false;     ///< some coefficient uses the time, or a field; those of `initial` do not count
+  bool matrices_depend_on_time = false;  ///< the same of diffusivity, capacity, transfers and convection alone
 };
 
 }  // namespace pliant
