@@ -47,6 +47,7 @@ done
 needs() {
   case $1 in
     advect) printf '%s\n' --dt 0.01 --vx 0 --vy 0 ;;
+    diffuse) printf '%s\n' --problem "$scratch/problem.json" --dt 0.01 ;;
   esac
 }
 # filter TOOL [ARGUMENTS...]
@@ -58,6 +59,7 @@ filter() {
   "$tool" "${required[@]}" "$@"
 }
 
+echo '{"format": "pliant-problem", "version": 1, "diffuse": {"field": "c", "materials": {"*": {}}, "initial": 1}}' >problem.json
 sample_mesh disk 2 >disk.json
 sample_mesh three 2 >three.json
 sample_mesh tangled 2 >tangled.json

@@ -314,7 +314,7 @@ TEST_CASE("an explanation says what stands on each face and curve, and what nobo
          "initial": {"cell": 37})",
       R"({"k": 0.1, "h": "20*k"})");
   CHECK(explain(make_diffusion_problem(problem, mesh), problem, mesh) ==
-        R"(unknown: the field "u", which the mesh does not have: it begins with the initial values
+        R"(unknown: the field "u", which the mesh does not have yet: it begins with the initial values
 note: the field "my field" cannot be used in an expression: a name in expressions consists of letters, digits and _, and does not begin with a digit
 parameter k = 0.1
 parameter h = 2 (20*k)

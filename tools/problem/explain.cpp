@@ -59,7 +59,7 @@ class Explainer {
     const bool is_there = std::ranges::find(mesh_.fields(), given_.field, &Field::name) != mesh_.fields().end();
     out_ << "unknown: the field \"" << given_.field << "\", "
          << (is_there ? "which the mesh has: its values are those to begin with\n"
-                      : "which the mesh does not have: it begins with the initial values\n");
+                      : "which the mesh does not have yet: it begins with the initial values\n");
     for (const std::string& sentence : names_.unusable_fields()) out_ << "note: " << sentence << '\n';
   }
 

@@ -96,6 +96,7 @@ PassReport DiffuseStage::run(Mesh& mesh, const StageContext& context) const {
   const ProblemDocument document = problem_.load(mesh);
   const DiffusionProblem problem = problem_.make_diffusion(document, mesh);
   DiffusionOptions options = options_;
+  options.needs_initial = !steady_;
   options.wants_fluxes = context.wants_details;
   PassReport report;
   try {

@@ -70,12 +70,14 @@ void Diffusion::find_field() {
     put(unknowns);
     return;
   }
-  for (std::size_t f = 0; f < problem_.initial.size(); ++f)
+  std::vector<double> unknowns(index(equation_.space().size()), 0.0);
+  const bool all = std::ranges::all_of(problem_.initial, [](const auto& each) { return each.has_value(); });
+  for (std::size_t f = 0; f < problem_.initial.size() && options_.needs_initial; ++f)
     if (!problem_.initial[f])
       throw InputError("/problem/diffuse/initial", "the mesh has no field \"" + problem_.field +
                                                        "\", and there is no initial value for face \"" +
                                                        mesh_.boundary().faces[f].name + "\"");
-  const std::vector<double> unknowns = equation_.initial_unknowns({points_, mesh_.time});
+  if (all) unknowns = equation_.initial_unknowns({points_, mesh_.time});
   mesh_.set_field(make_zeros(mesh_, problem_.field, jumps));
   field_ = pliant::find_field(mesh_, problem_.field);
   put(unknowns);

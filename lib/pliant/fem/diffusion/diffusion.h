@@ -26,6 +26,7 @@ struct DiffusionOptions {
   TimeScheme scheme = TimeScheme::sdirk2;
   /// d(M c)/dt, which keeps the total to rounding; or M dc/dt, which keeps constants to rounding.
   bool conservative = true;
+  bool needs_initial = true;  ///< a field that is missing needs initial values; else it begins with zeros
   bool wants_fluxes = false;  ///< what crosses curves is worth computing
 };
 
