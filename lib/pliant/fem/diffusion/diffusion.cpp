@@ -17,6 +17,12 @@ namespace {
 constexpr int most_nonlinear_iterations = 100;
 constexpr double nonlinear_tolerance = 1e-11;  // of the change in one iteration, relative to the solution
 
+/// At rest factors serve many steps, and are worth more than the time that they take; above, they take much memory.
+constexpr int largest_direct_at_rest = 200'000;
+/// From here on a system with a mass is more like one without: conjugate gradients need about the root of this number of
+/// iterations without a coarse space.
+constexpr double least_stiff = 1e5;
+
 std::vector<Point> points_of(const Mesh& mesh) {
   std::vector<Point> points;
   for (PointId p = 0; p < mesh.point_slots(); ++p) points.push_back(mesh.point(p));
@@ -95,6 +101,22 @@ void Diffusion::assemble(const Configuration& at, std::optional<double> shift, b
   prepared_shift_ = shift;
 }
 
+std::unique_ptr<LinearSolver> Diffusion::choose_solver(std::optional<double> shift) const {
+  if (!equation_.is_symmetric()) return make_direct_general();
+  const int rows = equation_.space().size();
+  // Which solver it is must not depend on how many steps follow: steps one by one give the bytes of many at once.
+  if (is_assembled_ && rows <= largest_direct_at_rest) return make_direct_symmetric();
+  const CsrPattern& pattern = equation_.pattern();
+  double stiffness = 0;  // the mean of shift * stiffness / mass on the diagonal
+  for (int i = 0; i < rows && shift; ++i) {
+    const std::size_t k = index(pattern.find(i, i));
+    stiffness += *shift * system_.stiffness.values[k] / system_.mass.values[k] / rows;
+  }
+  if (shift && stiffness < least_stiff) return make_symmetric_solver(rows, true);
+  const CoarseSpace coarse = equation_.coarse_space();
+  return make_symmetric_solver(rows, false, &coarse);
+}
+
 void Diffusion::factor(std::optional<double> shift) {
   const CsrPattern& pattern = equation_.pattern();
   matrix_.pattern = system_.mass.pattern;
@@ -108,10 +130,7 @@ void Diffusion::factor(std::optional<double> shift) {
       const int j = pattern.columns[index(k)];
       if (i != j && (fixed[index(i)] != 0 || fixed[index(j)] != 0)) matrix_.values[index(k)] = 0;
     }
-  if (equation_.is_symmetric())
-    solver_ = make_symmetric_solver(equation_.space().size(), shift.has_value());
-  else
-    solver_ = make_direct_general();
+  solver_ = choose_solver(shift);
   if (const std::string why = solver_->factor(matrix_); !why.empty()) throw NoSolution(why);
 }
 

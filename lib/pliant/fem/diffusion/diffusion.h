@@ -62,6 +62,7 @@ class Diffusion {
   void find_field();
   void assemble(const Configuration& at, std::optional<double> shift, bool serves_again);
   void factor(std::optional<double> shift);
+  std::unique_ptr<LinearSolver> choose_solver(std::optional<double> shift) const;
   void solve(std::vector<double> b, std::span<double> x, std::optional<double> shift);
   /// The solution of  (mass + shift stiffness) x = b + shift load,  where `right_side` makes b once mass is known.
   using RightSide = std::function<std::vector<double>()>;

@@ -83,6 +83,13 @@ void DiffusionEquation::for_each_conditioned_edge(const UseEdge& use) const {
     }
 }
 
+CoarseSpace DiffusionEquation::coarse_space() const {
+  std::vector<int> nets = space_.unknowns();
+  for (int& unknown : nets)
+    if (fixed_[index(unknown)] != 0) unknown = -1;
+  return hat_functions(mesh_.degree(), nets, space_.size());
+}
+
 void DiffusionEquation::assemble(const Configuration& at, DiffusionSystem& system) const {
   const std::size_t entries = sparsity_.pattern->columns.size(), n = index(space_.element_size());
   for (CsrMatrix* matrix : {&system.mass, &system.stiffness}) {

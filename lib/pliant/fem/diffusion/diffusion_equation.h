@@ -7,6 +7,7 @@
 #include "pliant/fem/csr_matrix.h"
 #include "pliant/fem/diffusion/curve_fluxes.h"
 #include "pliant/fem/diffusion/diffusion_terms.h"
+#include "pliant/fem/solve/coarse_space.h"
 #include "pliant/fem/space.h"
 #include "pliant/fem/sparsity.h"
 
@@ -36,6 +37,9 @@ class DiffusionEquation {
   /// For each unknown: has it a given value?
   const std::vector<char>& is_fixed() const { return fixed_; }
   bool fixes_any() const { return fixes_any_; }
+
+  /// The hat functions of the vertices, without those of fixed unknowns.
+  CoarseSpace coarse_space() const;
 
   /// Throws      InputError where a coefficient is not finite or out of range
   /// Complexity  O(mesh)
