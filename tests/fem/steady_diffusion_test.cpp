@@ -84,3 +84,86 @@ TEST_CASE("steady errors fall with order p + 1 in L2 and p in H1 on curved famil
     coarse = errors;
   }
 }
+
+TEST_CASE("convection relative to the mesh: exponential layers, with their order", "[fem][order]") {
+  const int p = GENERATE(1, 2, 3);
+  CAPTURE(p);
+  const double v = 4;  // c'' = v c' along x
+  const Exact layer{[=](double x, double, double) { return std::expm1(v * x) / std::expm1(v); }, {}, {}};
+  double coarse = 0;
+  for (int n = 4; n <= 16; n *= 2) {
+    const Map map = [](double x, double y) { return Point{x, y + 0.1 * x * (1 - x) * std::sin(std::numbers::pi * y)}; };
+    Mesh mesh(mapped_square(p, n, map));
+    DiffusionProblem problem = plain_problem(mesh.boundary());
+    problem.convection = {Coefficient(v), Coefficient(0)};
+    add_condition(problem, mesh.boundary(), "west", Kind::value, Coefficient(0));
+    add_condition(problem, mesh.boundary(), "east", Kind::value, Coefficient(1));
+    Diffusion diffusion(problem, mesh, {});
+    diffusion.solve_steady();
+    const double error = errors_of(mesh, layer).l2;
+    if (n == 16) CHECK(order(coarse, error) > p + 0.75);
+    coarse = error;
+  }
+}
+
+TEST_CASE("a diffusivity that depends on the unknown is iterated to the solution", "[fem][oracle]") {
+  const int p = GENERATE(2, 3);
+  CAPTURE(p);
+  // ((1 + c) c')' = 0 between 0 and 2: c + c^2 / 2 = 4 x.
+  const Exact exact{[](double x, double, double) { return std::sqrt(1 + 8 * x) - 1; }, {}, {}};
+  double coarse = 0;
+  for (int n = 8; n <= 16; n *= 2) {
+    const Map map = [](double x, double y) { return Point{x, y + 0.1 * x * (1 - x) * std::sin(std::numbers::pi * y)}; };
+    Mesh mesh(mapped_square(p, n, map));
+    DiffusionProblem problem = plain_problem(mesh.boundary());
+    problem.depends_on_unknown = true;
+    problem.materials[0].diffusivity = {Coefficient(
+        [](const CoefficientPoint& at) {
+          const auto& field = at.mesh.fields()[0];
+          std::vector<double> net, value(1);
+          for (const PointId q : at.mesh.net(at.triangle)) net.push_back(field.values[index(q)]);
+          evaluate_net(at.mesh.degree(), 1, net, at.xi, value);
+          return 1 + value[0];
+        },
+        "1+c")};
+    add_condition(problem, mesh.boundary(), "west", Kind::value, Coefficient(0));
+    add_condition(problem, mesh.boundary(), "east", Kind::value, Coefficient(2));
+    Diffusion diffusion(problem, mesh, {});
+    diffusion.solve_steady();
+    const double error = errors_of(mesh, exact).l2;
+    CAPTURE(error);
+    if (n == 16) CHECK(order(coarse, error) > p + 0.3);
+    coarse = error;
+  }
+}
+
+TEST_CASE("meshes of any size have the same solution", "[fem]") {
+  const double unit = GENERATE(1.0, 0x1p-400, 0x1p400);
+  CAPTURE(unit);
+  Mesh mesh([&] {
+    MeshData data = mapped_square(2, 3, bend);
+    data.boundary.unit = unit;  // as normalize_unit leaves a document of extreme size
+    return data;
+  }());
+  DiffusionProblem problem = plain_problem(mesh.boundary());
+  problem.materials[0].diffusivity = {Coefficient(unit * unit)};
+  problem.materials[0].source = Coefficient(3);
+  add_condition(problem, mesh.boundary(), "west", Kind::value,
+                coefficient([=](double, double y, double) { return y / unit; }));
+  add_condition(problem, mesh.boundary(), "east", Kind::robin, Coefficient(2 * unit), Coefficient(1));
+  add_condition(problem, mesh.boundary(), "north", Kind::flux, Coefficient(unit));
+  DiffusionOptions options;
+  options.wants_fluxes = true;
+  Diffusion diffusion(problem, mesh, options);
+  diffusion.solve_steady();
+  PassReport report;
+  diffusion.report(report);
+  static std::vector<double> first;
+  std::vector<double> values = mesh.fields()[0].values;
+  for (const auto& [name, value] : report.values)
+    values.push_back(name.starts_with("flux") || name.starts_with("total") || name == "energy" ? value / unit / unit
+                                                                                               : value);
+  if (first.empty()) first = values;
+  REQUIRE(values.size() == first.size());
+  for (std::size_t k = 0; k < values.size(); ++k) CHECK(values[k] == Approx(first[k]).epsilon(1e-11).margin(1e-14));
+}

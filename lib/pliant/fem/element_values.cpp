@@ -3,6 +3,7 @@
 
 #include <cassert>
 
+#include "pliant/geometry/control_net.h"
 #include "pliant/geometry/index.h"
 
 namespace pliant {
@@ -32,6 +33,40 @@ std::vector<double> unknowns_of(const Space& space, std::span<const double> elem
   std::vector<double> unknowns(index(space.size()));
   for (std::size_t k = element_values.size(); k-- > 0;) unknowns[index(space.unknowns()[k])] = element_values[k];
   return unknowns;
+}
+
+std::vector<double> elevated_values(const Space& space, std::span<const double> unknowns, int degree) {
+  std::vector<double> values = element_values(space, unknowns), higher;
+  for (int q = space.degree(); q < degree; ++q) {
+    const std::size_t from = index(net_size(q)), to = index(net_size(q + 1));
+    higher.resize(values.size() / from * to);
+    for (std::size_t t = 0; t < values.size() / from; ++t)
+      elevate_net(q, 1, std::span(values).subspan(t * from, from), std::span(higher).subspan(t * to, to));
+    values.swap(higher);
+  }
+  return values;
+}
+
+std::vector<double> restricted_unknowns(const Space& space, std::span<const double> element_values, int degree) {
+  const int q = space.degree();
+  const NetLayout& layout = NetLayout::of(q);
+  const std::size_t from = index(net_size(degree)), to = index(layout.size());
+  std::vector<double> values(element_values.size() / from * to), polygon(index(q) + 1);
+  for (std::size_t t = 0; t < element_values.size() / from; ++t) {
+    const auto net = std::span(values).subspan(t * to, to);
+    for (int k = 0; k < layout.size(); ++k) {
+      Barycentric xi{};
+      for (std::size_t c = 0; c < 3; ++c) xi[c] = static_cast<double>(layout.exponents(k)[c]) / q;
+      evaluate_net(degree, 1, element_values.subspan(t * from, from), xi, net.subspan(index(k), 1));
+    }
+    for (int e = 0; e < 3; ++e) {
+      for (int k = 0; k <= q; ++k) polygon[index(k)] = net[index(layout.edge_index(e, k))];
+      interpolate_polygon(q, 1, polygon);
+      for (int k = 1; k < q; ++k) net[index(layout.edge_index(e, k))] = polygon[index(k)];
+    }
+    if (q > 2) interpolate_interior(q, 1, net);
+  }
+  return unknowns_of(space, values);
 }
 
 Field with_unknowns(const Mesh& mesh, int field, const Space& space, std::span<const double> unknowns) {
