@@ -74,7 +74,7 @@ void check(const std::string& text, const ExpressionNames& names) {
     parser.SetExpr(text);
     parser.Eval(values);
   } catch (const mu::Parser::exception_type& error) {
-    const std::string token = error.GetToken();
+    const std::string& token = error.GetToken();
     if (error.GetCode() == mu::ecUNEXPECTED_OPERATOR && token == "=")
       refuse(text, "\"=\" would assign; to compare write \"==\"", error.GetPos());
     std::string why = without_position(error.GetMsg());
