@@ -7,6 +7,8 @@
 #include <thread>
 
 #include "options/criteria_options.h"
+#include "options/problem_option.h"
+#include "problem/diffusion.h"
 #include "run/exit_status.h"
 #include "run/run_filter.h"
 
@@ -27,10 +29,13 @@ class PassThroughStage : public Stage {
     app.add_flag("--tangled", accepts_tangled_, "take tangled meshes");
     app.add_option("--naps", naps_, "sleep so many tenths of a second a mesh, and count them");
     criteria_.add(app);
+    problem_.add(app);
   }
 
-  void check(const CLI::App&) override {
+  void check(const CLI::App& app) override {
     criteria_.check();
+    problem_.check(app);
+    has_problem_ = app.count("--problem") + app.count("--set") + app.count("--explain") > 0;
     if (fault_ == "early") throw std::runtime_error("told to fail");
   }
 
@@ -41,6 +46,11 @@ class PassThroughStage : public Stage {
     if (fault_ == "integer") throw 7;
     if (mesh.time >= spoil_at_) mesh.time = std::numeric_limits<double>::quiet_NaN();
     criteria_.apply(mesh.criteria, mesh.boundary());
+    if (has_problem_) {
+      const ProblemDocument problem = problem_.load(mesh);
+      const DiffusionProblem diffusion = problem_.make_diffusion(problem, mesh);
+      if (problem_.wants_explanation()) context.say(explain(diffusion, problem, mesh));
+    }
     if (context.progress != nullptr) context.progress->start("sleep", "naps", naps_);
     for (int nap = 0; nap < naps_; ++nap) {
       std::this_thread::sleep_for(std::chrono::milliseconds(100));
@@ -61,7 +71,9 @@ class PassThroughStage : public Stage {
   std::string fault_;
   int naps_ = 0;
   bool accepts_tangled_ = false;
+  bool has_problem_ = false;
   CriteriaOptions criteria_;
+  ProblemOption problem_;
 };
 
 }  // namespace

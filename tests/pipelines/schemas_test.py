@@ -74,6 +74,71 @@ for number, edit in enumerate(edits):
     if status(document) != 3:
         failures.append(f"the reader accepts edit {number}")
 
+# Problems: the example stands on a channel with a cell in it, and is carried by the mesh.
+def curve(name, points, ends, sides):
+    closed = ends[0] is None
+    knots = list(range(len(points) // 2 + 1)) if closed else [0, 0, 1, 1]
+    return {"name": name, "degree": 1, "closed": closed, "knots": knots, "points": points,
+            "start": ends[0], "end": ends[1], "left": sides[0], "right": sides[1]}
+
+
+corners = [0, 0, 4, 0, 4, 1, 0, 1]
+channel = {"format": "pliant-boundary", "version": 1, "vertices": corners, "faces": [{"name": "fluid"}, {"name": "cell"}],
+           "curves": [curve(name, [*corners[2 * k:2 * k + 2], *corners[2 * k2:2 * k2 + 2]], (k, k2), (0, None))
+                      for k, name in enumerate(("floor", "outflow", "roof", "inflow")) for k2 in ((k + 1) % 4,)]
+           + [curve("membrane", [1.5, .25, 2.5, .25, 2.5, .75, 1.5, .75], (None, None), (1, 0))]}
+channel_mesh = subprocess.run(["bspline2mesh", "-q"], input=json.dumps(channel), text=True, capture_output=True, check=True).stdout
+
+
+def solve(problem):
+    with tempfile.NamedTemporaryFile("w", suffix=".json") as file:
+        json.dump(problem, file)
+        file.flush()
+        return subprocess.run(["passthrough", "--problem", file.name], input=channel_mesh, text=True, capture_output=True)
+
+
+solved = solve(examples["problem"])
+if solved.returncode != 0:
+    failures.append(f"problem.md: the example is refused: {solved.stderr}")
+else:
+    mesh = json.loads(solved.stdout)
+    for name, document in (("mesh", mesh), ("problem", mesh["problem"])):
+        failures += [f"a mesh with a problem: {e.json_path} {e.message}" for e in validators[name].iter_errors(document)]
+edits = [
+    lambda d: d.pop("format"),
+    lambda d: d.update(version=2),
+    lambda d: d["parameters"].update(k=True),
+    lambda d: d["parameters"].update({"a b": 1}),
+    lambda d: d["parameters"].update(x=1),
+    lambda d: d["parameters"].update(floor=1),
+    lambda d: d["parameters"].update({65 * "k": 1}),
+    lambda d: d["diffuse"].pop("field"),
+    lambda d: d["diffuse"].update(field=""),
+    lambda d: d["diffuse"].pop("materials"),
+    lambda d: d["diffuse"].update(material={}),
+    lambda d: d["diffuse"].update(convection=[1]),
+    lambda d: d["diffuse"].update(initial=[1]),
+    lambda d: d["diffuse"]["initial"].update(cell=None),
+    lambda d: d["diffuse"]["materials"]["cell"].update(colour="red"),
+    lambda d: d["diffuse"]["materials"]["cell"].update(diffusivity=[1, 2]),
+    lambda d: d["diffuse"]["materials"]["cell"].update(capacity=[1]),
+    lambda d: d["diffuse"]["conditions"][0].pop("curve"),
+    lambda d: d["diffuse"]["conditions"][0].update(curve=[]),
+    lambda d: d["diffuse"]["conditions"][0].update(curve=4),
+    lambda d: d["diffuse"]["conditions"][0].update(value=1),
+    lambda d: d["diffuse"]["conditions"][0].update(why="so"),
+    lambda d: d["diffuse"]["conditions"][0].pop("jump"),
+    lambda d: d["diffuse"]["conditions"][0]["jump"].update(ambient=1),
+    lambda d: d["diffuse"]["conditions"][3]["robin"].pop("ambient"),
+]
+for number, edit in enumerate(edits):
+    document = copy.deepcopy(examples["problem"])
+    edit(document)
+    if validators["problem"].is_valid(document):
+        failures.append(f"the schema of problems accepts edit {number}")
+    if solve(document).returncode != 3:
+        failures.append(f"the reader of problems accepts edit {number}")
+
 # The log of a simulation, and edits that its schema must see.
 with tempfile.TemporaryDirectory() as folder:
     log = pathlib.Path(folder) / "log.jsonl"

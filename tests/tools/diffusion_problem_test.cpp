@@ -1,12 +1,13 @@
 // tests/tools/diffusion_problem_test.cpp: what a problem becomes on a mesh, and what does not fit it.
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <random>
 
 #include "pliant/boundary/fault.h"
-#include "pliant/geometry/lattice.h"
 #include "problem/diffusion.h"
 #include "problem/problem_names.h"
 #include "problem_samples.h"
+#include "support/counted_malloc.h"
 
 using namespace pliant;
 using namespace pliant::testing;
@@ -233,6 +234,56 @@ TEST_CASE("the fields of the mesh that is asked about count, wherever they stand
   CHECK(source(mesh) == 53);
 }
 
+#ifdef PLIANT_COUNTS_MALLOC
+TEST_CASE("evaluating a coefficient allocates nothing", "[tools][problem]") {
+  Mesh mesh = channel(4);
+  set_field(mesh, "a", 1, none, [](const Point& p, std::span<double> v) { v[0] = p.x; });
+  set_field(mesh, "vel", 2, none, [](const Point& p, std::span<double> v) { v[0] = p.x, v[1] = p.y; });
+  set_field(mesh, "q", 1, FaceId{0}, [](const Point& p, std::span<double> v) { v[0] = p.x; });
+  const DiffusionProblem problem = make_diffusion_problem(
+      problem_of(R"("materials": {"*": {"source": "max(a, 2, x)^2 + exp(vel_x)*vel_y + q + k*t"}})", R"({"k": 3})"),
+      mesh);
+  const Coefficient& source = *problem.materials[0].source;
+  const CoefficientPoint at = point_of(mesh, triangle_in(mesh, 0), {0.2, 0.3, 0.5}, 2);
+  const double first = source(at);
+  const long before = allocations;
+  double sum = 0;
+  for (int k = 0; k < 100; ++k) sum += source(at) - first;
+  const long after = allocations;
+  CHECK(after == before);
+  CHECK(sum == 0);
+}
+#endif
+
+TEST_CASE("any text is an expression or refused with its place", "[tools][problem][property]") {
+  Mesh mesh = channel(1);
+  set_field(mesh, "w", 1, none, [](const Point&, std::span<double> v) { v[0] = 2; });
+  const std::vector<std::string> words{"x",  "y",        "t",   "k",   "w",   "u",    "sin", "(", ")",   "+",
+                                       "-",  "*",        "/",   "^",   ",",   "?",    ":",   "<", "==",  "=",
+                                       "&&", "||",       "!",   "1",   ".",   "e",    "2e3", " ", "min", "\"",
+                                       "'",  "\xC3\xA9", "pow", "sum", "_pi", "0x1F", "#",   "{", "\n",  ">="};
+  std::mt19937 random(3);
+  ProblemDocument problem = problem_of(plain, R"({"k": 2})");
+  int compiled = 0, refused = 0;
+  for (int round = 0; round < 3000; ++round) {
+    std::string text;
+    for (auto count = 1 + random() % 9; count > 0; --count) text += words[random() % words.size()];
+    problem.diffuse->materials[0].second.source = text;
+    try {
+      const DiffusionProblem diffusion = make_diffusion_problem(problem, mesh);
+      (*diffusion.materials[0].source)(point_of(mesh, TriangleId{0}, {0.5, 0.25, 0.25}, 1));
+      ++compiled;
+    } catch (const InputError& e) {
+      ++refused;
+      if (e.pointer() != "/problem/diffuse/materials/*/source") FAIL(text << " at " << e.pointer());
+    }
+  }
+  CHECK(compiled > 50);
+  CHECK(refused > 1000);
+  problem.diffuse->materials[0].second.source = std::string(100000, '(');
+  CHECK(refusal_of(problem, mesh).pointer == "/problem/diffuse/materials/*/source");
+}
+
 TEST_CASE("unknown names in expressions are errors that list variables, parameters and fields", "[tools][problem]") {
   Mesh mesh = channel(1);
   const auto ones = [](const Point&, std::span<double> v) { std::fill(v.begin(), v.end(), 1.0); };
@@ -248,6 +299,8 @@ TEST_CASE("unknown names in expressions are errors that list variables, paramete
   };
   refused("2*z", {"\"z\" is no name", "character 3", "variables are x, y and t; parameters: \"k\" and \"h\"; fields: ",
                   "\"vel_y\"", "\"many_4\"", "\"u\""});
+  refused("2*sn(x)", {"\"sn\" is no name", "is \"sin\" meant?"});
+  refused("vel_z", {"is \"vel_x\" meant?"});
   refused("vel", {"the field \"vel\" has 2 components, vel_x and vel_y"});
   refused("1 + many", {"the field \"many\" has 4 components, many_1 to many_4"});
   refused("my field", {"the field \"my field\" cannot be used in an expression", "letters, digits"});

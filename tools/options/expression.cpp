@@ -9,6 +9,9 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "formats/document/recognize.h"
+#include "formats/problem/names.h"
+
 namespace pliant {
 namespace {
 
@@ -47,6 +50,16 @@ std::string without_position(const std::string& message) {
   throw std::invalid_argument(message);
 }
 
+/// Where there are names of somebody's own: the one, or the function, that `token` may be a misspelling of.
+std::string suggest(const std::string& token, const ExpressionNames& names) {
+  if (names.list.empty() || token.size() < 2) return {};
+  std::vector<std::string> candidates = names.variables;
+  for (const auto& constant : names.constants) candidates.push_back(constant.first);
+  candidates.insert(candidates.end(), expression_functions().begin(), expression_functions().end());
+  const std::string nearest = nearest_word(token, candidates);
+  return nearest.empty() ? "" : "; is \"" + nearest + "\" meant?";
+}
+
 /// Evaluates once with the variables as constants: so the parser itself refuses an assignment such as "x = 3", which
 /// would otherwise change x behind our back.
 void check(const std::string& text, const ExpressionNames& names) {
@@ -61,12 +74,13 @@ void check(const std::string& text, const ExpressionNames& names) {
     parser.SetExpr(text);
     parser.Eval(values);
   } catch (const mu::Parser::exception_type& error) {
-    const std::string token = error.GetToken();
+    const std::string& token = error.GetToken();
     if (error.GetCode() == mu::ecUNEXPECTED_OPERATOR && token == "=")
       refuse(text, "\"=\" would assign; to compare write \"==\"", error.GetPos());
     std::string why = without_position(error.GetMsg());
     if (error.GetCode() == mu::ecUNASSIGNABLE_TOKEN)
-      why = "\"" + token + "\" is no name that is known here (variables are x, y and t" + names.list + ")";
+      why = "\"" + token + "\" is no name that is known here" + suggest(token, names) + " (variables are x, y and t" +
+            names.list + ")";
     refuse(text, why, error.GetPos());
   }
   if (values != 1) refuse(text, "one value is wanted, here are " + std::to_string(values), -1);
