@@ -38,6 +38,16 @@ double dot(std::span<const double> a, std::span<const double> b) {
   return (sums[0] + sums[1]) + (sums[2] + sums[3]);
 }
 
-double norm(std::span<const double> a) { return std::sqrt(dot(a, a)); }
+double norm(std::span<const double> a) {
+  const double squares = dot(a, a);
+  if ((squares > 1e-280 && squares < 1e300) || std::isnan(squares)) return std::sqrt(squares);
+  // Some squares may be out of range.
+  double greatest = 0;
+  for (const double x : a) greatest = std::max(greatest, std::abs(x));
+  if (greatest == 0 || !std::isfinite(greatest)) return greatest;
+  double sum = 0;
+  for (const double x : a) sum += (x / greatest) * (x / greatest);
+  return greatest * std::sqrt(sum);
+}
 
 }  // namespace pliant

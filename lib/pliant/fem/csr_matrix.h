@@ -28,6 +28,7 @@ struct CsrMatrix {
 void multiply(const CsrMatrix& a, std::span<const double> x, std::span<double> y);
 /// Sums in a fixed order, so that they have the same bits everywhere.
 double dot(std::span<const double> a, std::span<const double> b);
+/// The Euclidean norm, also where squares are out of range.
 double norm(std::span<const double> a);
 
 }  // namespace pliant

@@ -3,10 +3,13 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "pliant/fem/csr_matrix.h"
 
 namespace pliant {
+
+struct CoarseSpace;
 
 /// What a matrix is known to be.
 enum class MatrixKind {
@@ -17,14 +20,21 @@ enum class MatrixKind {
 
 /// How a solution was reached.
 struct SolveOutcome {
+  /// The residual is at most the tolerance; or, where numbers of 53 bits cannot do better, at most `rounding`.
   bool converged = false;
   double residual = 0;  ///< |b - A x| / |b|, computed anew from the solution (0 where b is 0)
+  /// The residual that rounding the entries of an exact solution may leave: rounding_factor * | |A||x| + |b| | / |b|,
+  /// where |A||x| + |b| is taken row by row. 0 where the tolerance was reached, so that nobody asked.
+  double rounding = 0;
   int iterations = 0;   ///< of conjugate gradients
-  int refinements = 0;  ///< of a direct solution
+  int refinements = 0;  ///< corrections of a first solution, from its true residual
   std::string why;      ///< a sentence with the figures, where it has not converged
 };
 
 /// Solves systems with one matrix. The same matrix and right-hand side give the same bits.
+///
+/// Rows and columns are scaled inside by powers of two, which costs no digit: entries from 1e-150 to 1e150 may stand
+/// beside each other. Numbers that are not finite are refused, in the matrix by `factor`, elsewhere by `solve`.
 class LinearSolver {
  public:
   virtual ~LinearSolver() = default;
@@ -35,23 +45,40 @@ class LinearSolver {
   virtual const char* name() const = 0;
   /// Takes the matrix, and factors it or makes a preconditioner. The matrix must live as long as it is used.
   /// Returns     an empty text, or why it cannot be factored
+  /// Throws      std::length_error where the factor has more entries than can be numbered
   virtual std::string factor(const CsrMatrix& a) = 0;
   /// Solves A x = b until the relative residual is at most `tolerance`. `x` holds a guess before, which direct solvers
   /// do not need, and the best solution found after.
+  /// Requires    that `factor` has returned an empty text
   virtual SolveOutcome solve(std::span<const double> b, std::span<double> x, double tolerance) const = 0;
 };
 
 /// The relative residual that every system is solved to.
 inline constexpr double solver_tolerance = 1e-12;
+/// A residual of so much, relative to | |A||x| + |b| |, is rounding: 4 units in the last place.
+inline constexpr double rounding_factor = 4 * 0x1p-52;
+/// Where rounding leaves more than this of the right-hand side, the matrix is taken for singular.
+inline constexpr double greatest_rounding = 1e-6;
 
-/// LDL^T of symmetric positive definite matrices, by approximate minimum degree.
+/// LDL^T of symmetric positive definite matrices, by approximate minimum degree. Only the lower triangle is read, but
+/// by the residual.
 std::unique_ptr<LinearSolver> make_direct_symmetric();
-/// Conjugate gradients for symmetric positive definite matrices.
-std::unique_ptr<LinearSolver> make_conjugate_gradients();
+/// LDL^T of saddle point systems [A B^T; B -C], A positive definite, C positive semi-definite (also none).
+/// `multipliers` says which unknowns are of the second block. There, `regularisation` times the diagonal of B
+/// diag(A)^-1 B^T is subtracted, with which the factors exist for every order of elimination; refinement takes it out
+/// of the solution. Consistent systems with a multiplier that is known up to a constant need nothing more.
+std::unique_ptr<LinearSolver> make_quasi_definite(std::vector<bool> multipliers, double regularisation = 1e-8);
 /// LU with a symmetric ordering, for general matrices.
 std::unique_ptr<LinearSolver> make_direct_general();
 
-/// The solver for a symmetric positive definite matrix of so many rows. `mass_dominated` says that it is like M + dt K.
-std::unique_ptr<LinearSolver> make_symmetric_solver(int rows, bool mass_dominated);
+/// Conjugate gradients for symmetric positive definite matrices, preconditioned by symmetric overrelaxation.
+std::unique_ptr<LinearSolver> make_conjugate_gradients();
+/// Conjugate gradients, preconditioned by two levels: Gauss–Seidel, and the coarse space, whose matrix is factored.
+std::unique_ptr<LinearSolver> make_two_level(CoarseSpace coarse);
+
+/// The fastest solver for a symmetric positive definite matrix of so many rows (tests/bench/README.md has the figures).
+/// `mass_dominated` says that it is like M + dt K with a time step that is small against the size of the domain;
+/// `coarse`, if not null, is a coarse space of the unknowns.
+std::unique_ptr<LinearSolver> make_symmetric_solver(int rows, bool mass_dominated, const CoarseSpace* coarse = nullptr);
 
 }  // namespace pliant
