@@ -67,7 +67,7 @@ std::unique_ptr<LinearSolver> make_direct_symmetric();
 /// `multipliers` says which unknowns are of the second block. There, `regularisation` times the diagonal of B
 /// diag(A)^-1 B^T is subtracted, with which the factors exist for every order of elimination; refinement takes it out
 /// of the solution. Consistent systems with a multiplier that is known up to a constant need nothing more.
-std::unique_ptr<LinearSolver> make_quasi_definite(std::vector<bool> multipliers, double regularisation = 1e-8);
+std::unique_ptr<LinearSolver> make_quasi_definite(const std::vector<bool>& multipliers, double regularisation = 1e-8);
 /// LU with a symmetric ordering, for general matrices.
 std::unique_ptr<LinearSolver> make_direct_general();
 
