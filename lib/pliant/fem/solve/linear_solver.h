@@ -76,9 +76,9 @@ std::unique_ptr<LinearSolver> make_conjugate_gradients();
 /// Conjugate gradients, preconditioned by two levels: Gauss–Seidel, and the coarse space, whose matrix is factored.
 std::unique_ptr<LinearSolver> make_two_level(CoarseSpace coarse);
 
-/// The fastest solver for a symmetric positive definite matrix of so many rows (tests/bench/README.md has the figures).
-/// `mass_dominated` says that it is like M + dt K with a time step that is small against the size of the domain;
-/// `coarse`, if not null, is a coarse space of the unknowns.
+/// The fastest of these for a symmetric positive definite matrix of so many rows; it is chosen when the matrix is
+/// factored (tests/bench/README.md has the figures). `mass_dominated` says that it is like M + dt K: conjugate
+/// gradients then take over where the time step is short. `coarse`, if not null, is a coarse space of the unknowns.
 std::unique_ptr<LinearSolver> make_symmetric_solver(int rows, bool mass_dominated, const CoarseSpace* coarse = nullptr);
 
 }  // namespace pliant
