@@ -129,13 +129,24 @@ TEST_CASE("a coarse space that is no subspace of use only costs iterations", "[f
 }
 
 TEST_CASE("the solver is chosen by the size of the system and by what is known of it", "[fem]") {
-  const CoarseSpace space;
-  const auto chosen = [&](int rows, bool mass, const CoarseSpace* coarse) {
-    return std::string(make_symmetric_solver(rows, mass, coarse)->name());
+  const auto chosen = [](const CsrMatrix& a, bool mass, const CoarseSpace* coarse) {
+    const auto solver = make_symmetric_solver(a.rows(), mass, coarse);
+    CHECK(solver->factor(a).empty());
+    return std::string(solver->name());
   };
-  CHECK(chosen(100, true, nullptr) == "LDL^T");
-  CHECK(chosen(1000000, true, nullptr) == "conjugate gradients");
-  CHECK(chosen(100, false, &space) == "LDL^T");
-  CHECK(chosen(1000000, false, &space) == "two-level conjugate gradients");
-  CHECK(chosen(200000, false, nullptr) == "LDL^T");
+  const Mesh few = curved_cell(2, 0.01), many = curved_cell(2, 0.001);
+  const CoarseSpace few_hats = hats(few), many_hats = hats(many);
+  CHECK(chosen(poisson(few), false, nullptr) == "LDL^T");
+  CHECK(chosen(heat(few, 1e-6), true, &few_hats) == "LDL^T");
+  CHECK(chosen(poisson(many), false, nullptr) == "LDL^T");
+  CHECK(chosen(poisson(many), false, &many_hats) == "two-level conjugate gradients");
+  for (const CoarseSpace* coarse : {static_cast<const CoarseSpace*>(nullptr), &many_hats})
+    CHECK(chosen(heat(many, 1e-4), true, coarse) == "conjugate gradients");
+  // A step so long that hardly any mass is left.
+  CHECK(chosen(heat(many, 10), true, nullptr) == "LDL^T");
+  CHECK(chosen(heat(many, 10), true, &many_hats) == "two-level conjugate gradients");
+  // Values that are given do not hide that.
+  CsrMatrix held = heat(many, 10);
+  fix(held, on_curves(many));
+  CHECK(chosen(held, true, &many_hats) == "two-level conjugate gradients");
 }

@@ -35,7 +35,7 @@ inline std::shared_ptr<const CsrPattern> pattern_of(const Mesh& mesh) {
     for (int k = starts[i]; k < starts[i + 1]; ++k)
       for (const PointId p : mesh.net(triangles[index(k)])) row.push_back(p);
     std::ranges::sort(row);
-    row.erase(std::ranges::unique(row).begin(), row.end());
+    row.erase(std::unique(row.begin(), row.end()), row.end());
     pattern->columns.insert(pattern->columns.end(), row.begin(), row.end());
     pattern->starts.push_back(static_cast<int>(pattern->columns.size()));
   }

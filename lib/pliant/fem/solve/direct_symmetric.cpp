@@ -59,7 +59,7 @@ class DirectSymmetric : public LinearSolver {
 
 std::unique_ptr<LinearSolver> make_direct_symmetric() { return std::make_unique<DirectSymmetric>(); }
 
-std::unique_ptr<LinearSolver> make_quasi_definite(std::vector<bool> multipliers, double regularisation) {
+std::unique_ptr<LinearSolver> make_quasi_definite(const std::vector<bool>& multipliers, double regularisation) {
   return std::make_unique<DirectSymmetric>(multipliers, regularisation);
 }
 

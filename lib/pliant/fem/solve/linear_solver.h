@@ -67,7 +67,7 @@ std::unique_ptr<LinearSolver> make_direct_symmetric();
 /// `multipliers` says which unknowns are of the second block. There, `regularisation` times the diagonal of B
 /// diag(A)^-1 B^T is subtracted, with which the factors exist for every order of elimination; refinement takes it out
 /// of the solution. Consistent systems with a multiplier that is known up to a constant need nothing more.
-std::unique_ptr<LinearSolver> make_quasi_definite(std::vector<bool> multipliers, double regularisation = 1e-8);
+std::unique_ptr<LinearSolver> make_quasi_definite(const std::vector<bool>& multipliers, double regularisation = 1e-8);
 /// LU with a symmetric ordering, for general matrices.
 std::unique_ptr<LinearSolver> make_direct_general();
 
@@ -76,9 +76,9 @@ std::unique_ptr<LinearSolver> make_conjugate_gradients();
 /// Conjugate gradients, preconditioned by two levels: Gauss–Seidel, and the coarse space, whose matrix is factored.
 std::unique_ptr<LinearSolver> make_two_level(CoarseSpace coarse);
 
-/// The fastest solver for a symmetric positive definite matrix of so many rows (tests/bench/README.md has the figures).
-/// `mass_dominated` says that it is like M + dt K with a time step that is small against the size of the domain;
-/// `coarse`, if not null, is a coarse space of the unknowns.
+/// The fastest of these for a symmetric positive definite matrix of so many rows; it is chosen when the matrix is
+/// factored (tests/bench/README.md has the figures). `mass_dominated` says that it is like M + dt K: conjugate
+/// gradients then take over where the time step is short. `coarse`, if not null, is a coarse space of the unknowns.
 std::unique_ptr<LinearSolver> make_symmetric_solver(int rows, bool mass_dominated, const CoarseSpace* coarse = nullptr);
 
 }  // namespace pliant

@@ -56,7 +56,7 @@ std::vector<int> joined_groups(const Elimination& e, const std::vector<int>& fir
   }
   if (groups > 0) result.push_back(0);
   std::ranges::reverse(result);
-  result.erase(std::ranges::unique(result).begin(), result.end());
+  result.erase(std::unique(result.begin(), result.end()), result.end());
   return result;
 }
 
