@@ -25,6 +25,8 @@ struct EvolveOptions {
   bool is_numbered() const { return !frames.empty(); }
   /// The options that decide which frames there are, for comparing two commands.
   std::string frame_options() const;
+  /// --until, if it is given.
+  std::string end_option() const;
 };
 
 /// Reads the command line: `add` its options, parse, `read` them.

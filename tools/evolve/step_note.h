@@ -1,0 +1,24 @@
+// tools/evolve/step_note.h: the file beside the output that tells which step and which options have made the frames.
+#pragma once
+#include <optional>
+#include <string>
+
+#include "evolve/evolve_options.h"
+#include "evolve/step.h"
+
+namespace pliant {
+
+/// Where the note stands.
+std::string step_file(const EvolveOptions& options);
+/// Notes which step makes the frames, for a later `read_note`.   Throws std::system_error
+void note_step(const EvolveOptions& options, const Step& step);
+/// Removes the note of an earlier run, before another one begins to write.
+void forget_step(const EvolveOptions& options);
+
+/// The times at which the earlier run was to end and to have frames; all else is as now. Nothing if there is no note.
+/// Throws      UsageError where an earlier run had another step, or options of which no frame can be kept
+std::optional<ScheduleOptions> read_note(const EvolveOptions& options, const Step& step);
+/// Ends with wrong usage: the options that choose frames are not those before.
+[[noreturn]] void refuse_other_frames(const EvolveOptions& options);
+
+}  // namespace pliant
