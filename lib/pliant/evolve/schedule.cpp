@@ -19,8 +19,7 @@ constexpr double most_steps = 9e15;  // beyond it not every whole number is a do
 Schedule::Schedule(double first_time, ScheduleOptions options) : first_(first_time), options_(std::move(options)) {
   assert(options_.dt > 0 && std::isfinite(options_.dt) && std::isfinite(first_));
   std::ranges::sort(options_.at);
-  const auto [begin, end] = std::ranges::unique(options_.at);
-  options_.at.erase(begin, end);
+  options_.at.erase(std::unique(options_.at.begin(), options_.at.end()), options_.at.end());
 }
 
 double Schedule::slack() const { return same_time * options_.dt; }
@@ -93,10 +92,11 @@ std::optional<double> Schedule::goal_from(double time) const {
 }
 
 bool Schedule::has_same_frames(const Schedule& other, double time) const {
-  const auto part = [this, time](const std::vector<double>& at) {
-    return std::ranges::subrange(std::ranges::upper_bound(at, first_ + slack()), std::ranges::upper_bound(at, time));
+  const auto up_to = [this, time](const std::vector<double>& at) {
+    const auto begin = std::ranges::upper_bound(at, first_ + slack());
+    return std::vector<double>(begin, std::max(begin, std::ranges::upper_bound(at, time)));
   };
-  return time <= first_ + slack() || std::ranges::equal(part(options_.at), part(other.options_.at));
+  return up_to(options_.at) == up_to(other.options_.at);
 }
 
 bool Schedule::agrees(const Schedule& other, double time, long steps_done) const {
