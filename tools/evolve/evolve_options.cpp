@@ -44,14 +44,13 @@ std::string read_text(const std::string& path) {
   return text;
 }
 
-/// " --option value", the value with all its digits.
+}  // namespace
+
 std::string word_pair(const std::string& option, double value) {
   char digits[40];
   const auto end = std::to_chars(digits, digits + sizeof digits, value).ptr;
   return " " + option + " " + std::string(digits, end);
 }
-
-}  // namespace
 
 std::string EvolveOptions::frame_options() const {
   std::string text;
@@ -61,7 +60,10 @@ std::string EvolveOptions::frame_options() const {
   return text;
 }
 
-std::string EvolveOptions::end_option() const { return schedule.until ? word_pair("--until", *schedule.until) : ""; }
+std::string EvolveOptions::end_options() const {
+  return (schedule.until ? word_pair("--until", *schedule.until) : "") +
+         (steady > 0 ? word_pair("--until-steady", steady) : "");
+}
 
 void EvolveCommand::add(CLI::App& app) {
   app.add_option("STEP", step_, "the step, a pipe of tools in quotes: 'advect --flow vortex --dt 0.01 | refine'");

@@ -51,6 +51,7 @@ class Simulation {
                              " steps, lies beyond the end that is asked for: nothing is done");
       return status::done;
     }
+    if (start_.is_steady) return status::done;
     while (!evolution_->is_done() && !is_steady_) {
       advance();
       if (interrupted_by() != 0) break;
@@ -101,7 +102,7 @@ class Simulation {
   void go_on() {
     text_ = std::move(start_.text);
     written_time_ = mesh_->time;
-    if (start_.is_past_end) return;
+    if (start_.is_past_end || start_.is_steady) return;
     for (const std::string& path : logs_.find_kept(mesh_->time, start_.first_time))
       say(options_.tool, path + " ends before time " + text_of(mesh_->time) + ": the steps between are missing in it");
     output_ = start_.earlier->go_on(start_.kept);
@@ -153,6 +154,8 @@ class Simulation {
     ++runs_since_frame_;
     tell(record);
     if (before) is_steady_ = before->rate(*mesh_, find_velocity(*mesh_, "--until-steady")) <= options_.steady;
+    // Noted before the frame is there: a note without its frame does no harm, a frame without it would be gone on from.
+    if (is_steady_) note_step(options_, step_, mesh_->time);
     if (evolution_->is_frame()) write_frame();
   }
 

@@ -48,7 +48,7 @@ class Resumption {
   }
 
   Start find() {
-    const std::optional<ScheduleOptions> noted = read_note(options_, step_);
+    const std::optional<EarlierRun> noted = read_note(options_, step_);
     start_.is_resumed = true;
     start_.kept = start_.earlier->count();
     start_.first_time = read(0).time;
@@ -56,7 +56,8 @@ class Resumption {
     if (!noted)
       say(options_.tool, "there is no " + step_file(options_) +
                              ", which tells the step that made the frames; it is taken to be this one");
-    go_back(noted ? schedule_of(*noted) : any_end());
+    go_back(noted ? schedule_of(noted->schedule) : any_end());
+    start_.is_steady = noted && noted->steady_at == start_.mesh.time && options_.steady >= noted->steady;
     prepare(start_.mesh);
     return std::move(start_);
   }

@@ -16,6 +16,7 @@ namespace pliant {
 namespace {
 
 constexpr std::string_view heading = "# evolve";
+constexpr const char* steady_word = "steady-at";  // no option, but what --until-steady has led to
 
 /// Standard output and devices keep nothing that could be continued.
 bool has_step_file(const EvolveOptions& options) {
@@ -48,9 +49,9 @@ std::optional<Note> find_note(const EvolveOptions& options) {
 
 /// The options of a note.
 struct NotedOptions {
-  double every = 0, courant = 0;
+  double every = 0, courant = 0, steady = 0;
   std::vector<double> at;
-  std::optional<double> until;
+  std::optional<double> until, steady_at;
 };
 
 NotedOptions read_options(const EvolveOptions& options, const std::string& text) {
@@ -69,6 +70,10 @@ NotedOptions read_options(const EvolveOptions& options, const std::string& text)
       noted.courant = value;
     else if (is_number && option == "--until")
       noted.until = value;
+    else if (is_number && option == "--until-steady")
+      noted.steady = value;
+    else if (is_number && option == steady_word)
+      noted.steady_at = value;
     else
       refuse_note(options, "does not tell what made the frames");
   }
@@ -86,28 +91,28 @@ void forget_step(const EvolveOptions& options) {
   if (has_step_file(options)) std::filesystem::remove(step_file(options), error);
 }
 
-void note_step(const EvolveOptions& options, const Step& step) {
+void note_step(const EvolveOptions& options, const Step& step, std::optional<double> steady_at) {
   if (!has_step_file(options)) return;
   const std::string path = step_file(options);
   if (const auto folder = std::filesystem::path(path).parent_path(); !folder.empty()) make_folders(folder.string());
   OutputFile file(path);
-  file.write(std::string(heading) + options.frame_options() + options.end_option() + "\n" + text_of(step.commands) +
-             "\n");
+  file.write(std::string(heading) + options.frame_options() + options.end_options() +
+             (steady_at ? word_pair(steady_word, *steady_at) : "") + "\n" + text_of(step.commands) + "\n");
   file.commit();
 }
 
-std::optional<ScheduleOptions> read_note(const EvolveOptions& options, const Step& step) {
+std::optional<EarlierRun> read_note(const EvolveOptions& options, const Step& step) {
   const std::optional<Note> note = find_note(options);
   if (!note) return {};
   if (note->step != text_of(step.commands))
     throw UsageError("--resume: the step is another than that of the frames, which " + step_file(options) +
                      " tells: " + note->step);
   const NotedOptions noted = read_options(options, note->options);
-  ScheduleOptions earlier = options.schedule;
-  if (noted.every != static_cast<double>(earlier.every) || noted.courant != options.courant)
+  EarlierRun earlier{options.schedule, noted.steady, noted.steady_at};
+  if (noted.every != static_cast<double>(options.schedule.every) || noted.courant != options.courant)
     refuse_other_frames(options);
-  earlier.at = noted.at;
-  earlier.until = noted.until;
+  earlier.schedule.at = noted.at;
+  earlier.schedule.until = noted.until;
   return earlier;
 }
 

@@ -78,6 +78,19 @@ as_one --until 0.5 --cfl 0.25 --every 3 -- --until 0.8 --cfl 0.25 --every 3
 as_one --until 0.5 --cfl 0.25 -- --until 0.8 --cfl 0.25
 as_one --steps 5 --cfl 0.25 -- --steps 9 --cfl 0.25
 as_one --until 0.5 --cfl 0.25 --at 0.2 -- --until 0.8 --cfl 0.25 --at 0.2,0.6
+# A flow that has become steady is at its end, until less change is asked for.
+advect --dt 1e-9 --vx 0 --vy 0 --field 'velocity=1,1' disk.json >steady.json
+start=steady.json step="advect --vx 0 --vy 0 --dt 0.1 --field 'velocity=exp(-20*t)+x,y'"
+for every in '' '--every 1' '--every 3'; do
+  # shellcheck disable=SC2086
+  {
+    as_one --steps 50 --until-steady 1e-3 $every
+    as_one --until 0.25 --until-steady 1e-3 $every -- --until 9 --until-steady 1e-3 $every
+    as_one --until 9 --until-steady 1e-3 $every -- --until 9 --until-steady 1e-5 $every
+    evolve_in parts --until 9 --until-steady 1e-2 $every --resume
+  }
+  same_run parts whole 'a flow that is steady by less'
+done
 start=disk.json step=$even
 
 # The user is told; where the note of the options is gone, it goes back all the same.
