@@ -18,6 +18,11 @@ ScheduleOptions steps_of(double dt) {
   return options;
 }
 
+Schedule ended(ScheduleOptions options, std::optional<double> until) {
+  options.until = until;
+  return {0, std::move(options)};
+}
+
 /// The times at which parts of steps end, from the first on, at most so many.
 std::vector<double> goals_of(const Schedule& schedule, std::size_t most = 10000) {
   std::vector<double> goals;
@@ -154,4 +159,108 @@ TEST_CASE("uneven steps are as long as they may be, and meet frames and the end"
   CHECK_FALSE(schedule.next_goal(1, 9, 3));
   CHECK(schedule.is_frame(0.53, 8));
   CHECK_FALSE(schedule.is_frame(0.56, 9));
+}
+
+TEST_CASE("schedules with different ends agree up to where a step was shortened", "[evolve]") {
+  ScheduleOptions options = steps_of(0.1);
+  options.every = 2;
+  const auto until = [&options](std::optional<double> end) { return ended(options, end); };
+  const Schedule longer = until(2), endless = until({});
+  for (const double end : {0.55, 0.3 + 1e-12, 0.3 - 1e-12}) {
+    CAPTURE(end);
+    CHECK_FALSE(longer.agrees(until(end), end, 3));  // also where it differs from a whole step by less than the slack
+    CHECK_FALSE(endless.agrees(until(end), end, 3));
+    CHECK(longer.agrees(until(end), 0.2, 2));
+    CHECK(longer.agrees(until(end), 0.15, 1));  // a part of a step that neither shortens
+    CHECK(until(end).agrees(until(end), end, 3));
+  }
+  CHECK(longer.agrees(until(0.3), 0.3, 3));
+  CHECK_FALSE(longer.agrees(until(0.55), 0.53, 5));  // a part of the step that one shortens
+  CHECK(longer.agrees(until(0.6), 0.53, 5));
+  CHECK(longer.agrees(until(-1), 0, 0));
+  CHECK_FALSE(longer.agrees(until(0.2), 0.4, 4));  // beyond an end no schedule leads
+  CHECK(endless.agrees(endless, 1e300, 4));        // nor does any step to so late a time
+}
+
+TEST_CASE("schedules agree as long as the times of their frames are the same", "[evolve]") {
+  ScheduleOptions options = steps_of(0.1);
+  const auto at = [&options](std::vector<double> times) {
+    ScheduleOptions cut = options;
+    cut.at = std::move(times);
+    return Schedule(0, cut);
+  };
+  const Schedule one = at({0.25, 0.5});
+  CHECK(one.agrees(at({0.25, 0.5, 0.75}), 0.7, 7));
+  CHECK_FALSE(one.agrees(at({0.25, 0.5, 0.75}), 0.75, 7));
+  CHECK_FALSE(one.agrees(at({0.25, 0.5, 0.75}), 0.8, 8));
+  CHECK_FALSE(one.agrees(at({0.25, 0.5, 0.75}), 0.73, 7));  // a part of the step that is cut
+  CHECK(one.agrees(at({-3, 0, 0.25, 0.5}), 1, 10));         // before the beginning there is no frame
+  CHECK(one.agrees(at({0.25}), 0.4, 4));
+  CHECK_FALSE(one.agrees(at({0.25}), 0.5, 5));
+  CHECK_FALSE(one.has_same_frames(at({0.25}), 0.5));
+  CHECK_FALSE(one.agrees(at({0.5}), 0.5, 5));
+  CHECK_FALSE(at({}).agrees(at({0.3 + 1e-13}), 0.3, 3));
+}
+
+TEST_CASE("uneven steps agree where none can have been shortened", "[evolve]") {
+  ScheduleOptions options = steps_of(0.1);
+  options.even_steps = false;
+  options.every = 2;
+  const auto until = [&options](std::optional<double> end) { return ended(options, end); };
+  CHECK(until(2).agrees(until(1), 0.85, 33));
+  CHECK(until(2).agrees(until(1), 0.95, 34));        // a frame that both have
+  CHECK_FALSE(until(2).agrees(until(1), 0.95, 33));  // a part of a step to the end, or not
+  CHECK_FALSE(until(2).agrees(until(1), 1, 34));
+  CHECK(until(1).agrees(until(1), 0.95, 33));
+  CHECK(until(1).agrees(until(1), 1, 33));
+}
+
+TEST_CASE("where two schedules agree, one goes on as the other does", "[evolve][property]") {
+  std::mt19937 random(8);
+  const auto uniform = [&random](double low, double high) {
+    return std::uniform_real_distribution<>(low, high)(random);
+  };
+  int agreed = 0, differed = 0;
+  for (int round = 0; round < 500; ++round) {
+    CAPTURE(round);
+    ScheduleOptions options = steps_of(round % 2 == 0 ? uniform(0.001, 1) : 1.0 / (1 + round));
+    const double start = round % 3 == 0 ? 0 : uniform(-10, 10);
+    const auto some_end = [&] {
+      const double steps = uniform(0, 30);
+      return start + options.dt * (round % 4 == 0 ? std::floor(steps) + uniform(-2e-9, 2e-9) : steps);
+    };
+    const auto with_end = [&](double end) {
+      ScheduleOptions ended = options;
+      ended.until = end;
+      if (round % 5 == 0)
+        for (int k = 0; k < 3; ++k) ended.at.push_back(start + options.dt * std::floor(uniform(0, 30)) / 2);
+      return Schedule(start, ended);
+    };
+    const double first_end = some_end(), second_end = some_end();
+    const Schedule one = with_end(std::min(first_end, second_end)), other = with_end(std::max(first_end, second_end));
+    const std::vector<double> ones = goals_of(one), others = goals_of(other);
+    for (std::size_t k = 0; k < ones.size(); ++k) {
+      const bool same = k < others.size() && std::equal(ones.begin(), ones.begin() + long(k) + 1, others.begin());
+      const bool frames_are_same = one.has_same_frames(other, ones[k]);
+      CHECK(other.agrees(one, ones[k], 0) == (same && frames_are_same));
+      (same ? agreed : differed) += 1;
+    }
+  }
+  CHECK(agreed > 1000);
+  CHECK(differed > 100);
+}
+
+TEST_CASE("a time lies past the end where no step to it is due", "[evolve]") {
+  ScheduleOptions options = steps_of(0.1);
+  options.until = 0.3;
+  CHECK_FALSE(Schedule(0, options).is_past_end(0.3 + 1e-12, 3));
+  CHECK(Schedule(0, options).is_past_end(0.31, 3));
+  CHECK(Schedule(1, options).is_past_end(1, 0));
+  options.until.reset();
+  options.steps = 3;
+  CHECK_FALSE(Schedule(1, options).is_past_end(1.3, 3));
+  CHECK(Schedule(1, options).is_past_end(1.35, 3));
+  options.even_steps = false;
+  CHECK_FALSE(Schedule(1, options).is_past_end(9, 3));
+  CHECK(Schedule(1, options).is_past_end(1.2, 4));
 }

@@ -71,6 +71,7 @@ TEST_CASE("a step may go over several lines as in a script", "[tools]") {
   CHECK(split("# one step\n\nadvect --dt 1 |  # moves\n\n  refine \\\n  --max-area 1 |\r\ncoarsen\n# the end\n\n") ==
         "[advect][--dt][1]|[refine][--max-area][1]|[coarsen]");
   CHECK(split("a b\\\nc 'd\ne'") == "[a][bc][d\ne]");
+  CHECK(split("a 'b\r\nc' \"d\r\ne\\\r\nf\" g\\\r\nh\r\n") == "[a][b\nc][d\nef][gh]");  // as on Windows
   CHECK(refusal("advect --dt 1\nrefine") ==
         "STEP, line 1, column 14: a line that ends here ends the pipe, and more follows: end the line with | or with "
         "\\ to go "
@@ -117,6 +118,12 @@ TEST_CASE("what only a shell can do is refused, with the place and a word on why
       {"", 1, "empty"},
       {" \n # a\n", 1, "empty"},
       {"a \x01", 3, "control character"},
+      {"a b\rc", 4, "code 13"},
+      {std::string("a b\0", 4), 4, "code 0"},
+      {std::string("a 'b\0'", 6), 5, "code 0"},
+      {std::string("a \"b\0\"", 6), 5, "code 0"},
+      {std::string("a \"b\\\0\"", 7), 6, "code 0"},
+      {std::string("a b\\\0", 5), 5, "code 0"},
   }));
   CAPTURE(text);
   const std::string message = refusal(text);

@@ -7,8 +7,8 @@
 #include <charconv>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <sstream>
+#include <string_view>
 #include <system_error>
 
 #include "evolve/frame_output.h"
@@ -27,28 +27,42 @@ long parse_count(const std::string& option, const std::string& text, long least)
   return count;
 }
 
+/// The text of a step; a device that never ends is not read to its end.
 std::string read_text(const std::string& path) {
+  constexpr std::size_t most = 1 << 20;
   if (path == "-") throw UsageError("--step needs a file, not -");
   if (std::filesystem::is_directory(path)) throw std::system_error(EISDIR, std::generic_category(), path);
   std::ifstream file(path, std::ios::binary);
-  std::string text{std::istreambuf_iterator<char>(file), {}};
   if (!file) throw std::system_error(errno, std::generic_category(), path);
+  std::string text(most + 1, '\0');
+  file.read(text.data(), static_cast<std::streamsize>(text.size()));
+  if (file.bad()) throw std::system_error(errno, std::generic_category(), path);
+  text.resize(static_cast<std::size_t>(file.gcount()));
+  if (text.size() > most) throw UsageError("--step: '" + path + "' is longer than 1 MiB, which no step is");
+  if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff"))
+    throw UsageError("--step: '" + path + "' is in UTF-16; save it as UTF-8");
   return text;
 }
 
 }  // namespace
 
+std::string word_pair(const std::string& option, double value) {
+  char digits[40];
+  const auto end = std::to_chars(digits, digits + sizeof digits, value).ptr;
+  return " " + option + " " + std::string(digits, end);
+}
+
 std::string EvolveOptions::frame_options() const {
   std::string text;
-  const auto add = [&text](const std::string& option, double value) {
-    char digits[40];
-    const auto end = std::to_chars(digits, digits + sizeof digits, value).ptr;
-    text += " " + option + " " + std::string(digits, end);
-  };
-  if (schedule.every > 0) add("--every", static_cast<double>(schedule.every));
-  for (const double time : schedule.at) add("--at", time);
-  if (courant > 0) add("--cfl", courant);
+  if (schedule.every > 0) text += word_pair("--every", static_cast<double>(schedule.every));
+  for (const double time : schedule.at) text += word_pair("--at", time);
+  if (courant > 0) text += word_pair("--cfl", courant);
   return text;
+}
+
+std::string EvolveOptions::end_options() const {
+  return (schedule.until ? word_pair("--until", *schedule.until) : "") +
+         (steady > 0 ? word_pair("--until-steady", steady) : "");
 }
 
 void EvolveCommand::add(CLI::App& app) {
@@ -85,6 +99,8 @@ void EvolveCommand::read_step(const CLI::App& app) {
   } else {
     options_.step_text = step_;
   }
+  constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";  // what some editors begin a file of UTF-8 with
+  if (options_.step_text.starts_with(byte_order_mark)) options_.step_text.erase(0, byte_order_mark.size());
 }
 
 void EvolveCommand::read_goals(const CLI::App& app) {

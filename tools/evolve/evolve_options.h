@@ -25,7 +25,12 @@ struct EvolveOptions {
   bool is_numbered() const { return !frames.empty(); }
   /// The options that decide which frames there are, for comparing two commands.
   std::string frame_options() const;
+  /// The options that decide where the end is, but for --steps, which are whole ones whatever their number.
+  std::string end_options() const;
 };
+
+/// " --option value", the value with all its digits.
+std::string word_pair(const std::string& option, double value);
 
 /// Reads the command line: `add` its options, parse, `read` them.
 class EvolveCommand {

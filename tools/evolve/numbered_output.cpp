@@ -1,10 +1,13 @@
 // tools/evolve/numbered_output.cpp: frames as numbered files, each of which appears whole or not at all.
 #include <algorithm>
 #include <cerrno>
+#include <charconv>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <system_error>
+#include <utility>
+#include <vector>
 
 #include "evolve/frame_output.h"
 #include "run/exit_status.h"
@@ -55,6 +58,51 @@ Pattern parse(const std::string& text) {
   return pattern;
 }
 
+std::string read_file(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::string text{std::istreambuf_iterator<char>(file), {}};
+  if (!file) throw std::system_error(errno, std::generic_category(), path);
+  return text;
+}
+
+/// The first bytes of a file, enough to know how it begins, and the last two.
+std::pair<std::string, std::string> read_ends(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file) throw std::system_error(errno, std::generic_category(), path);
+  std::string begin(64, '\0'), end(2, '\0');
+  file.read(begin.data(), static_cast<std::streamsize>(begin.size()));
+  begin.resize(static_cast<std::size_t>(file.gcount()));
+  file.clear();
+  file.seekg(-2, std::ios::end);
+  file.read(end.data(), static_cast<std::streamsize>(end.size()));
+  return {begin, end};
+}
+
+/// The numbers of the files that match the pattern and begin as frames do, in rising order. Other files are no
+/// concern of evolve, whatever their names.
+std::vector<long> find_frames(const Pattern& pattern) {
+  const std::size_t slash = pattern.before.rfind('/');
+  const std::string folder = slash == std::string::npos ? "" : pattern.before.substr(0, slash + 1);
+  const std::string stem = pattern.before.substr(folder.size());
+  std::vector<long> numbers;
+  std::error_code error;
+  for (std::filesystem::directory_iterator entry(folder.empty() ? "." : folder, error), end; !error && entry != end;
+       entry.increment(error)) {
+    const std::string name = entry->path().filename().string();
+    if (!name.starts_with(stem)) continue;
+    const std::size_t digits = std::min(name.find_first_not_of(' ', stem.size()), name.size());
+    long number = -1;
+    const auto read = std::from_chars(name.data() + digits, name.data() + name.size(), number);
+    if (read.ec != std::errc() || number < 0) continue;
+    const std::string path = pattern.path(number);
+    const bool is_match = path == folder + name || path.starts_with(folder + name + "/");
+    if (is_match && std::filesystem::is_regular_file(path, error) && begins_as_frame(read_ends(path).first))
+      numbers.push_back(number);
+  }
+  std::ranges::sort(numbers);
+  return numbers;
+}
+
 class NumberedOutput : public FrameOutput {
  public:
   /// `next`: the number of the next frame; `is_fresh`: nothing of this pattern is to be kept.
@@ -66,58 +114,86 @@ class NumberedOutput : public FrameOutput {
     if (const auto folder = std::filesystem::path(path).parent_path(); !folder.empty()) make_folders(folder.string());
     OutputFile file(path);
     file.write(frame);
+    // Frames of an earlier, longer run would be taken for ours. The first one goes first: what a sudden end leaves is
+    // never the beginning of a series.
+    if (is_fresh_)
+      for (const long number : find_frames(pattern_)) std::filesystem::remove(pattern_.path(number));
+    is_fresh_ = false;
     file.commit();
     ++next_;
-    if (is_fresh_) remove_from(next_);
-    is_fresh_ = false;
   }
   void replace_last() override { --next_; }
 
  private:
-  /// Frames of an earlier, longer run would be taken for ours.
-  void remove_from(long number) const {
-    while (std::filesystem::remove(pattern_.path(number))) ++number;
-  }
-
   Pattern pattern_;
   long next_;
   bool is_fresh_;
 };
 
-std::string read_file(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::string text{std::istreambuf_iterator<char>(file), {}};
-  if (!file) throw std::system_error(errno, std::generic_category(), path);
-  return text;
-}
+class EarlierFiles : public EarlierFrames {
+ public:
+  explicit EarlierFiles(Pattern pattern) : pattern_(std::move(pattern)) {
+    while (std::filesystem::exists(pattern_.path(count_))) ++count_;
+    refuse_gap();
+    for (long k = 0; k < count_; ++k) look_at(k);
+  }
+
+  long count() const override { return count_; }
+  std::string name(long k) const override { return pattern_.path(k); }
+  std::string read(long k) const override { return read_file(pattern_.path(k)); }
+  std::string remedy(long k) const override {
+    return k == 0 ? "without it and those after it, evolve begins anew"
+                  : "remove it and those after it, and --resume goes on from the frame before";
+  }
+  std::unique_ptr<FrameOutput> go_on(long kept) override {
+    for (; count_ > kept; --count_) std::filesystem::remove(pattern_.path(count_ - 1));
+    return std::make_unique<NumberedOutput>(pattern_, kept, false);
+  }
+
+ private:
+  /// A frame after one that is missing would be left among those of this run, at a time of its own.
+  void refuse_gap() const {
+    const std::vector<long> numbers = find_frames(pattern_);
+    const auto beyond = std::ranges::upper_bound(numbers, count_);
+    if (beyond == numbers.end()) return;
+    const auto left = numbers.end() - beyond;
+    throw UsageError("--resume: there is no " + pattern_.path(count_) + ", but " + pattern_.path(*beyond) +
+                     (left > 1 ? " and " + std::to_string(left - 1) + " after it are there" : " is there") +
+                     "; bring it back, or remove those after it " +
+                     (count_ > 0 ? "to go on from " + pattern_.path(count_ - 1) : "to begin anew"));
+  }
+  void look_at(long k) const {
+    if (!std::filesystem::is_regular_file(pattern_.path(k))) refuse_frame(*this, k, "it is no file");
+    const auto [begin, end] = read_ends(pattern_.path(k));
+    if (!begins_as_frame(begin)) refuse_frame(*this, k, "it does not begin as a mesh document does");
+    if (end != "}\n") refuse_frame(*this, k, "it does not end as a mesh document does");
+  }
+
+  Pattern pattern_;
+  long count_ = 0;
+};
 
 }  // namespace
-
-void make_folders(const std::string& path) {
-  std::error_code error;
-  std::filesystem::create_directories(path, error);
-  if (error) throw std::system_error(error, path);
-}
 
 void check_pattern(const std::string& pattern) { parse(pattern); }
 
 std::string beside_numbered(const std::string& pattern, const std::string& end) { return parse(pattern).before + end; }
 
+std::vector<std::string> list_numbered(const std::string& pattern) {
+  const Pattern parsed = parse(pattern);
+  std::vector<std::string> paths;
+  for (const long number : find_frames(parsed)) paths.push_back(parsed.path(number));
+  return paths;
+}
+
 std::unique_ptr<FrameOutput> create_numbered(const std::string& pattern) {
   return std::make_unique<NumberedOutput>(parse(pattern), 0, true);
 }
 
-std::optional<ResumedOutput> resume_numbered(const std::string& pattern) {
-  Pattern parsed = parse(pattern);
-  long next = 0;
-  while (std::filesystem::exists(parsed.path(next))) ++next;
-  if (next == 0) return {};
-  ResumedOutput resumed;
-  resumed.frames.first = read_file(parsed.path(0));
-  resumed.frames.last_name = parsed.path(next - 1);
-  resumed.frames.last = read_file(resumed.frames.last_name);
-  resumed.output = std::make_unique<NumberedOutput>(std::move(parsed), next, false);
-  return resumed;
+std::unique_ptr<EarlierFrames> find_numbered(const std::string& pattern) {
+  auto frames = std::make_unique<EarlierFiles>(parse(pattern));
+  if (frames->count() == 0) return {};
+  return frames;
 }
 
 }  // namespace pliant

@@ -1,8 +1,10 @@
 // tools/evolve/series_output.cpp: frames as a series, a line a frame, which a later run continues.
+#include <algorithm>
 #include <cerrno>
 #include <filesystem>
 #include <fstream>
 #include <system_error>
+#include <vector>
 
 #include "evolve/frame_output.h"
 #include "run/exit_status.h"
@@ -30,27 +32,83 @@ class SeriesOutput : public FrameOutput {
   bool replaces_ = false;
 };
 
-/// The place of the last line feed before `end`; -1 if there is none.
-std::int64_t find_line_feed_before(std::ifstream& file, std::int64_t end) {
-  std::string block(1 << 16, '\0');
-  while (end > 0) {
-    const std::int64_t begin = std::max<std::int64_t>(0, end - static_cast<std::int64_t>(block.size()));
-    file.seekg(begin);
-    file.read(block.data(), end - begin);
-    if (!file) return -1;
-    const std::size_t found = std::string_view(block).substr(0, static_cast<std::size_t>(end - begin)).rfind('\n');
-    if (found != std::string_view::npos) return begin + static_cast<std::int64_t>(found);
-    end = begin;
+/// What is seen of a line while it goes by in pieces.
+class LineLook {
+ public:
+  void take(std::string_view piece) {
+    if (piece.empty()) return;
+    constexpr std::size_t enough = 64;  // to know how it begins
+    if (begin_.size() < enough) begin_ += piece.substr(0, enough - begin_.size());
+    last_ = piece.back();
+    has_zero_ = has_zero_ || piece.find('\0') != std::string_view::npos;
   }
-  return -1;
-}
+  /// What is wrong with the line, as a frame; null: nothing is to be seen.
+  const char* fault() const {
+    if (!begins_as_frame(begin_)) return "it does not begin as a mesh document does";
+    if (has_zero_) return "it holds bytes that are zero";
+    return last_ == '}' ? nullptr : "it does not end as a mesh document does";
+  }
 
-std::string read_part(std::ifstream& file, std::int64_t begin, std::int64_t end) {
-  std::string text(static_cast<std::size_t>(end - begin), '\0');
-  file.seekg(begin);
-  file.read(text.data(), end - begin);
-  return text;
-}
+ private:
+  std::string begin_;
+  char last_ = 0;
+  bool has_zero_ = false;
+};
+
+class EarlierSeries : public EarlierFrames {
+ public:
+  explicit EarlierSeries(const std::string& path) : path_(path), file_(path, std::ios::binary) {
+    if (!file_) fail();
+    std::string block(1 << 18, '\0');
+    LineLook look;
+    std::int64_t place = 0;
+    do {
+      file_.read(block.data(), static_cast<std::streamsize>(block.size()));
+      std::string_view left(block.data(), static_cast<std::size_t>(file_.gcount()));
+      for (std::size_t end; (end = left.find('\n')) != std::string_view::npos; left.remove_prefix(end + 1)) {
+        look.take(left.substr(0, end));
+        place += static_cast<std::int64_t>(end) + 1;
+        end_line(look, place);
+      }
+      look.take(left);
+      place += static_cast<std::int64_t>(left.size());
+    } while (file_);
+    if (file_.bad()) fail();
+  }
+
+  long count() const override { return static_cast<long>(ends_.size()); }
+  std::string name(long k) const override { return path_ + ":" + std::to_string(k + 1); }
+  std::string read(long k) const override {
+    std::string text(static_cast<std::size_t>(ends_[at(k)] - begin(k)), '\0');
+    file_.clear();
+    file_.seekg(begin(k));
+    file_.read(text.data(), static_cast<std::streamsize>(text.size()));
+    if (!file_) fail();
+    return text;
+  }
+  std::string remedy(long k) const override {
+    return k == 0 ? "without it, evolve begins anew"
+                  : "cut off this line and those after it (head -n " + std::to_string(k) +
+                        " gives the others), and --resume goes on from the frame before";
+  }
+  std::unique_ptr<FrameOutput> go_on(long kept) override {
+    return std::make_unique<SeriesOutput>(GrowingFile::reopen(path_, ends_[at(kept - 1)]), begin(kept - 1));
+  }
+
+ private:
+  static std::size_t at(long k) { return static_cast<std::size_t>(k); }
+  std::int64_t begin(long k) const { return k == 0 ? 0 : ends_[at(k - 1)]; }
+  [[noreturn]] void fail() const { throw std::system_error(errno, std::generic_category(), path_); }
+  void end_line(LineLook& look, std::int64_t end) {
+    ends_.push_back(end);
+    if (const char* const fault = look.fault()) refuse_frame(*this, count() - 1, fault);
+    look = {};
+  }
+
+  std::string path_;
+  mutable std::ifstream file_;
+  std::vector<std::int64_t> ends_;  // of each line, behind its line feed
+};
 
 }  // namespace
 
@@ -58,25 +116,14 @@ std::unique_ptr<FrameOutput> create_series(const std::string& path) {
   return std::make_unique<SeriesOutput>(GrowingFile::create(path));
 }
 
-std::optional<ResumedOutput> resume_series(const std::string& path) {
+std::unique_ptr<EarlierFrames> find_series(const std::string& path) {
   std::error_code error;
   if (!std::filesystem::exists(path, error)) return {};
   if (!std::filesystem::is_regular_file(path, error))
     throw UsageError("--resume needs a file that can be read again, and '" + path + "' is none");
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw std::system_error(errno, std::generic_category(), path);
-  const auto size = static_cast<std::int64_t>(std::filesystem::file_size(path));
-  const std::int64_t end = find_line_feed_before(file, size) + 1;  // what comes after it is half a frame
-  if (end == 0) return {};
-  const std::int64_t last = find_line_feed_before(file, end - 1) + 1;
-  ResumedOutput resumed;
-  file.seekg(0);
-  std::getline(file, resumed.frames.first);
-  resumed.frames.last = read_part(file, last, end);
-  resumed.frames.last_name = path + ", the last frame";
-  if (!file) throw std::system_error(errno, std::generic_category(), path);
-  resumed.output = std::make_unique<SeriesOutput>(GrowingFile::reopen(path, end), last);
-  return resumed;
+  auto frames = std::make_unique<EarlierSeries>(path);
+  if (frames->count() == 0) return {};
+  return frames;
 }
 
 }  // namespace pliant

@@ -2,7 +2,6 @@
 #include "evolve/simulation.h"
 
 #include <algorithm>
-#include <charconv>
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
@@ -13,7 +12,9 @@
 #include "evolve/print_pipe.h"
 #include "evolve/start.h"
 #include "evolve/step.h"
+#include "evolve/step_count.h"
 #include "evolve/step_logs.h"
+#include "evolve/step_note.h"
 #include "formats/document/mesh_json.h"
 #include "pliant/evolve/courant.h"
 #include "pliant/evolve/evolution.h"
@@ -28,33 +29,10 @@
 namespace pliant {
 namespace {
 
-/// The member of documents in which the steps are counted where the time does not tell them.
-constexpr const char* count_member = "evolve";
-
 std::string text_of(double value) {
   char digits[40];
   std::snprintf(digits, sizeof digits, "%.12g", value);
   return digits;
-}
-
-/// The number of steps that a frame notes; 0 if it notes none.
-long noted_steps(const MeshData& mesh) {
-  const auto member = std::ranges::find(mesh.extra, count_member, [](const auto& each) { return each.first; });
-  if (member == mesh.extra.end()) return 0;
-  const std::string text = write_value(*member->second);  // {"steps":12}
-  const std::size_t digits = text.find_first_of("0123456789");
-  long steps = 0;
-  if (digits != std::string::npos) std::from_chars(text.data() + digits, text.data() + text.size(), steps);
-  return steps;
-}
-
-void note_steps(MeshData& mesh, long steps) {
-  const auto value = read_value("{\"steps\":" + std::to_string(steps) + "}");
-  const auto member = std::ranges::find(mesh.extra, count_member, [](const auto& each) { return each.first; });
-  if (member == mesh.extra.end())
-    mesh.extra.emplace_back(count_member, value);
-  else
-    member->second = value;
 }
 
 class Simulation {
@@ -67,6 +45,13 @@ class Simulation {
 
   int run() {
     begin();
+    if (start_.is_past_end) {
+      say(options_.tool, "the last frame, at time " + text_of(mesh_->time) + " after " +
+                             std::to_string(evolution_->steps_done()) +
+                             " steps, lies beyond the end that is asked for: nothing is done");
+      return status::done;
+    }
+    if (start_.is_steady) return status::done;
     while (!evolution_->is_done() && !is_steady_) {
       advance();
       if (interrupted_by() != 0) break;
@@ -92,20 +77,39 @@ class Simulation {
     evolution_.emplace(make_evolution(*mesh_, steps));
     if (options_.courant > 0) find_velocity(*mesh_, "--cfl");
     if (options_.steady > 0) find_velocity(*mesh_, "--until-steady");
-    if (start_.is_resumed) {
-      text_ = std::move(start_.text);
-      written_time_ = mesh_->time;
-      if (!evolution_->is_frame() && !evolution_->is_done()) start_.output->replace_last();
-      for (const std::string& path : logs_.reopen(mesh_->time, start_.first_time))
-        say(options_.tool,
-            path + " ends before time " + text_of(mesh_->time) + ": the steps between are missing in it");
-    } else {
-      forget_step(options_);
-      logs_.create();
-      write_frame();
-    }
-    note_step(options_, step_);
     begun_at_ = mesh_->time;
+    if (start_.is_resumed)
+      go_on();
+    else
+      begin_anew();
+  }
+
+  void begin_anew() {
+    if (evolution_->schedule().is_past_end(mesh_->time, 0))
+      say(options_.tool, "the mesh is at time " + text_of(mesh_->time) + ", later than --until " +
+                             text_of(*options_.schedule.until) + ": no step is made, and it is the only frame");
+    const std::vector<double>& at = evolution_->schedule().options().at;
+    if (!at.empty() && at.front() < mesh_->time)
+      say(options_.tool, "--at " + text_of(at.front()) + " lies before the first frame, at time " +
+                             text_of(mesh_->time) + ", and gives none");
+    output_ = options_.is_numbered() ? create_numbered(options_.frames) : create_series(options_.tool.output);
+    forget_step(options_);
+    logs_.create();
+    write_frame();
+    note_step(options_, step_);
+  }
+
+  void go_on() {
+    text_ = std::move(start_.text);
+    written_time_ = mesh_->time;
+    if (start_.is_past_end || start_.is_steady) return;
+    for (const std::string& path : logs_.find_kept(mesh_->time, start_.first_time))
+      say(options_.tool, path + " ends before time " + text_of(mesh_->time) + ": the steps between are missing in it");
+    output_ = start_.earlier->go_on(start_.kept);
+    if (!evolution_->is_frame() && !evolution_->is_done()) output_->replace_last();
+    logs_.reopen();
+    // Only now: a frame that these options do not lead to is gone.
+    note_step(options_, step_);
   }
 
   Evolution make_evolution(Mesh& mesh, long steps) {
@@ -150,6 +154,8 @@ class Simulation {
     ++runs_since_frame_;
     tell(record);
     if (before) is_steady_ = before->rate(*mesh_, find_velocity(*mesh_, "--until-steady")) <= options_.steady;
+    // Noted before the frame is there: a note without its frame does no harm, a frame without it would be gone on from.
+    if (is_steady_) note_step(options_, step_, mesh_->time);
     if (evolution_->is_frame()) write_frame();
   }
 
@@ -187,7 +193,7 @@ class Simulation {
     restore_unit(data);
     text_.clear();
     write_mesh(data, text_);
-    start_.output->write(text_);
+    output_->write(text_);
     written_time_ = mesh_->time;
     runs_since_frame_ = 0;
   }
@@ -254,6 +260,7 @@ class Simulation {
   StageContext context_;
   std::size_t running_ = 0;  // the stage that works
   Start start_;
+  std::unique_ptr<FrameOutput> output_;
   std::optional<Mesh> mesh_;
   std::optional<Evolution> evolution_;
   std::string text_;  // of the last frame
@@ -266,6 +273,9 @@ class Simulation {
 
 /// A file that the step reads must not be one that evolve writes.
 void refuse_overwriting(const EvolveOptions& options, const Step& step) {
+  const auto refuse = [](const std::string& path) {
+    throw UsageError("'" + path + "' is read by the step, and would be overwritten; write to another file");
+  };
   for (const StepCommand& command : step.commands)
     for (std::size_t k = 1; k < command.size(); ++k) {
       const std::string& word = command[k].text;
@@ -273,7 +283,10 @@ void refuse_overwriting(const EvolveOptions& options, const Step& step) {
       for (const std::string* const written : {&options.tool.output, &options.log, &options.history})
         if (!written->empty() && *written != "-" && std::filesystem::is_regular_file(path) &&
             is_same_file(path, *written))
-          throw UsageError("'" + path + "' is read by the step, and would be overwritten; write to another file");
+          refuse(path);
+      if (!options.is_numbered() || !std::filesystem::is_regular_file(path)) continue;
+      for (const std::string& frame : list_numbered(options.frames))
+        if (is_same_file(path, frame)) refuse(path);
     }
 }
 

@@ -1,19 +1,17 @@
-// tools/evolve/start.cpp: reads the input, or the frames and the step of an earlier run.
+// tools/evolve/start.cpp: reads the input, or the frames of an earlier run, as far as this run has them too.
 #include "evolve/start.h"
 
-#include <cerrno>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
+#include <algorithm>
+#include <cstdio>
 #include <optional>
-#include <system_error>
 
+#include "evolve/step_count.h"
+#include "evolve/step_note.h"
 #include "formats/document/mesh_json.h"
 #include "pliant/mesh/documents/document_unit.h"
 #include "run/documents.h"
 #include "run/exit_status.h"
 #include "run/in_unit.h"
-#include "run/output_file.h"
 #include "run/require_mesh.h"
 
 namespace pliant {
@@ -35,89 +33,92 @@ MeshData read_input(const EvolveOptions& options) {
   return std::move(*mesh);
 }
 
-/// A frame that an earlier run has written.
-MeshData read_frame(const std::string& text, const std::string& name) {
-  try {
-    return read_mesh(text);
-  } catch (const InputError& error) {
-    throw Placed(status::bad_input, name + ": " + (error.pointer().empty() ? "" : error.pointer() + ": ") +
-                                        error.what() + "; evolve wrote no such frame, so that --resume cannot go on");
+std::string text_of(double value) {
+  char digits[40];
+  std::snprintf(digits, sizeof digits, "%.12g", value);
+  return digits;
+}
+
+/// Finds the last of the earlier frames that this run has too.
+class Resumption {
+ public:
+  Resumption(const EvolveOptions& options, const Step& step, std::unique_ptr<EarlierFrames> earlier)
+      : options_(options), step_(step) {
+    start_.earlier = std::move(earlier);
   }
-}
 
-std::string step_file(const EvolveOptions& options) {
-  return options.is_numbered() ? beside_numbered(options.frames, "step") : options.tool.output + ".step";
-}
-
-/// Standard output and devices keep nothing that could be continued.
-bool has_step_file(const EvolveOptions& options) {
-  if (options.is_numbered()) return true;
-  std::error_code error;
-  return options.tool.output != "-" && (!std::filesystem::exists(options.tool.output, error) ||
-                                        std::filesystem::is_regular_file(options.tool.output, error));
-}
-
-std::string describe(const EvolveOptions& options, const Step& step) {
-  return "# evolve" + options.frame_options() + "\n" + text_of(step.commands) + "\n";
-}
-
-void compare_step(const EvolveOptions& options, const Step& step) {
-  const std::string path = step_file(options);
-  std::ifstream file(path, std::ios::binary);
-  if (!file) {
-    say(options.tool,
-        "there is no " + path + ", which tells the step that made the frames; it is taken to be this one");
-    return;
+  Start find() {
+    const std::optional<EarlierRun> noted = read_note(options_, step_);
+    start_.is_resumed = true;
+    start_.kept = start_.earlier->count();
+    start_.first_time = read(0).time;
+    load(start_.kept - 1);
+    if (!noted)
+      say(options_.tool, "there is no " + step_file(options_) +
+                             ", which tells the step that made the frames; it is taken to be this one");
+    go_back(noted ? schedule_of(noted->schedule) : any_end());
+    start_.is_steady = noted && noted->steady_at == start_.mesh.time && options_.steady >= noted->steady;
+    prepare(start_.mesh);
+    return std::move(start_);
   }
-  const std::string text{std::istreambuf_iterator<char>(file), {}};
-  if (text.find('\n', text.find('\n') + 1) == std::string::npos)
-    throw UsageError("--resume: " + path + " is cut off; remove it to go on with this step");
-  const std::string now = describe(options, step);
-  if (text == now) return;
-  const auto second = [](const std::string& lines) { return lines.substr(lines.find('\n') + 1); };
-  if (second(text) != second(now))
-    throw UsageError("--resume: the step is another than that of the frames, which " + path +
-                     " tells: " + second(text).substr(0, second(text).find('\n')));
-  throw UsageError("--resume: the options that choose frames differ from those before, which " + path +
-                   " tells: " + text.substr(2, text.find('\n') - 2));
-}
+
+ private:
+  MeshData read(long k) {
+    start_.text = start_.earlier->read(k);
+    try {
+      return read_mesh(start_.text);
+    } catch (const InputError& error) {
+      refuse_frame(*start_.earlier, k, (error.pointer().empty() ? "" : error.pointer() + ": ") + error.what());
+    }
+  }
+  void load(long k) { start_.mesh = read(k); }
+
+  Schedule schedule_of(ScheduleOptions options) const {
+    options.dt = step_.mover().time_step();
+    return {start_.first_time, std::move(options)};
+  }
+  /// For a run that has left no note: the last frame may be at an end to which a step was shortened.
+  Schedule any_end() const {
+    ScheduleOptions options = options_.schedule;
+    options.until = start_.mesh.time;
+    return schedule_of(std::move(options));
+  }
+
+  /// The last frame may be none of this run, as at the end of a run that shortened its last step for that. All frames
+  /// before it are chosen by the options, and must be those of this run.
+  void go_back(const Schedule& earlier) {
+    const Schedule schedule = schedule_of(options_.schedule);
+    start_.is_past_end = schedule.is_past_end(start_.mesh.time, noted_steps(start_.mesh));
+    if (start_.is_past_end) return;
+    const auto has_state = [&] { return schedule.agrees(earlier, start_.mesh.time, noted_steps(start_.mesh)); };
+    if (has_state()) return;
+    const double last = start_.mesh.time;
+    const bool is_chosen = std::ranges::binary_search(earlier.options().at, last);
+    if (start_.kept == 1 || (is_chosen && !schedule.has_same_frames(earlier, last))) refuse_other_frames(options_);
+    --start_.kept;
+    load(start_.kept - 1);
+    if (!has_state()) refuse_other_frames(options_);
+    say(options_.tool, "goes on from the frame at time " + text_of(start_.mesh.time) + ": a run with these options " +
+                           "does not come to the last one, at time " + text_of(last) + ", where the one before ended");
+  }
+
+  const EvolveOptions& options_;
+  const Step& step_;
+  Start start_;
+};
 
 }  // namespace
 
 Start find_start(const EvolveOptions& options, const Step& step) {
-  Start start;
   if (options.resumes) {
-    std::optional<ResumedOutput> resumed =
-        options.is_numbered() ? resume_numbered(options.frames) : resume_series(options.tool.output);
-    if (resumed) {
-      compare_step(options, step);
-      start.first_time = read_frame(resumed->frames.first, resumed->frames.last_name).time;
-      start.mesh = read_frame(resumed->frames.last, resumed->frames.last_name);
-      prepare(start.mesh);
-      start.text = std::move(resumed->frames.last);
-      start.output = std::move(resumed->output);
-      start.is_resumed = true;
-      return start;
-    }
+    std::unique_ptr<EarlierFrames> earlier =
+        options.is_numbered() ? find_numbered(options.frames) : find_series(options.tool.output);
+    if (earlier) return Resumption(options, step, std::move(earlier)).find();
   }
-  start.output = options.is_numbered() ? create_numbered(options.frames) : create_series(options.tool.output);
+  Start start;
   start.mesh = read_input(options);
   start.first_time = start.mesh.time;
   return start;
-}
-
-void forget_step(const EvolveOptions& options) {
-  std::error_code error;  // where it cannot be removed, the first frame cannot be written either
-  if (has_step_file(options)) std::filesystem::remove(step_file(options), error);
-}
-
-void note_step(const EvolveOptions& options, const Step& step) {
-  if (!has_step_file(options)) return;
-  const std::string path = step_file(options);
-  if (const auto folder = std::filesystem::path(path).parent_path(); !folder.empty()) make_folders(folder.string());
-  OutputFile file(path);
-  file.write(describe(options, step));
-  file.commit();
 }
 
 }  // namespace pliant

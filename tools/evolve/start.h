@@ -10,21 +10,20 @@
 
 namespace pliant {
 
-/// The mesh that a simulation begins with, or the last one that an earlier run has written, and where frames go.
+/// The mesh that a simulation begins with, or goes on from, which then is a frame that an earlier run has written.
 struct Start {
-  MeshData mesh;            ///< checked, in its unit of length
-  double first_time = 0;    ///< of the first frame
-  bool is_resumed = false;  ///< the mesh is in the output already
-  std::string text;         ///< of the document, if it is resumed
-  std::unique_ptr<FrameOutput> output;
+  MeshData mesh;             ///< checked, in its unit of length
+  double first_time = 0;     ///< of the first frame
+  bool is_resumed = false;   ///< the mesh is in the output already
+  bool is_past_end = false;  ///< the mesh is later than this run is to end, so that nothing is to be done
+  bool is_steady = false;    ///< the run before ended with this mesh, which changes no more than --until-steady allows
+  std::string text;          ///< of the document, if it is resumed
+  std::unique_ptr<EarlierFrames> earlier;  ///< if it is resumed
+  long kept = 0;                           ///< so many of the earlier frames stay
 };
 
+/// Reads; nothing is written or removed.
 /// Throws      as reading a document does; UsageError where an earlier run had another step or other frames
 Start find_start(const EvolveOptions& options, const Step& step);
-
-/// Notes beside the output which step makes its frames, for `find_start` to compare.   Throws std::system_error
-void note_step(const EvolveOptions& options, const Step& step);
-/// Removes the note of an earlier run, before another one begins to write.
-void forget_step(const EvolveOptions& options);
 
 }  // namespace pliant

@@ -41,7 +41,7 @@ void StepLogs::create() {
   if (!history_path_.empty()) history_.emplace(GrowingFile::create(history_path_));
 }
 
-std::vector<std::string> StepLogs::reopen(double time, double first_time) {
+std::vector<std::string> StepLogs::find_kept(double time, double first_time) {
   std::vector<std::string> short_files;
   double last = first_time;
   const auto keep = [time, &last](double line_time) {
@@ -56,7 +56,7 @@ std::vector<std::string> StepLogs::reopen(double time, double first_time) {
   const auto is_there = [](const std::string& path) { return std::filesystem::is_regular_file(path); };
   if (!log_path_.empty()) {
     const auto stays = [&keep](const std::string& line) { return keep(read_step_time(line)); };
-    log_.emplace(continued(log_path_, is_there(log_path_) ? measure_kept(log_path_, stays) : 0));
+    if (is_there(log_path_)) kept_log_ = measure_kept(log_path_, stays);
     note(log_path_);
   }
   if (history_path_.empty()) return short_files;
@@ -70,11 +70,16 @@ std::vector<std::string> StepLogs::reopen(double time, double first_time) {
     has_rows = has_rows || is_kept;
     return is_kept;
   };
-  const std::int64_t kept = is_there(history_path_) ? measure_kept(history_path_, stays) : 0;
+  if (is_there(history_path_)) kept_history_ = measure_kept(history_path_, stays);
   if (!has_rows) columns_.clear();  // the heading comes with the first row
-  history_.emplace(continued(history_path_, has_rows ? kept : 0));
+  if (!has_rows) kept_history_ = 0;
   note(history_path_);
   return short_files;
+}
+
+void StepLogs::reopen() {
+  if (!log_path_.empty()) log_.emplace(continued(log_path_, kept_log_));
+  if (!history_path_.empty()) history_.emplace(continued(history_path_, kept_history_));
 }
 
 void StepLogs::add(const StepLine& line) {

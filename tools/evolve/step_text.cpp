@@ -62,6 +62,14 @@ class StepSplitter {
     return i < text_.size() && (text_[i] == '\n' || (text_[i] == '\r' && i + 1 < text_.size() && text_[i + 1] == '\n'));
   }
 
+  /// The carriage return of a line's end, which within quotes is a line feed alone.
+  bool is_part_of_line_end(std::size_t i) const { return text_[i] == '\r' && starts_line_end(i); }
+  /// A character that quotes have taken its meaning from; none gives a word a zero byte.
+  char plain(std::size_t i) const {
+    if (text_[i] == '\0') fail(i, "a control character, of code 0");
+    return text_[i];
+  }
+
   /// Takes what stands between two words, or one word.
   void take_next() {
     const char c = text_[at_];
@@ -137,24 +145,25 @@ class StepSplitter {
   void take_literal(std::string& word) {
     const std::size_t end = text_.find('\'', at_ + 1);
     if (end == std::string_view::npos) fail(at_, "this ' is not closed");
-    word += text_.substr(at_ + 1, end - at_ - 1);
+    for (++at_; at_ < end; ++at_)
+      if (!is_part_of_line_end(at_)) word += plain(at_);
     at_ = end + 1;
   }
 
   void take_quoted(std::string& word) {
     const std::size_t start = at_++;
     for (; !is_end() && text_[at_] != '"'; ++at_) {
-      char c = text_[at_];
+      const char c = text_[at_];
       if (c == '$' || c == '`') fail(at_, std::string("'") + c + "': " + explain_special(c));
       if (c == '\\' && at_ + 1 < text_.size()) {
         const char next = text_[at_ + 1];
-        if (next == '\n') {
-          ++at_;
+        if (starts_line_end(at_ + 1)) {
+          at_ += next == '\r' ? 2 : 1;
           continue;
         }
-        if (next == '$' || next == '`' || next == '"' || next == '\\') c = text_[++at_];
+        if (next == '$' || next == '`' || next == '"' || next == '\\') ++at_;
       }
-      word += c;
+      if (!is_part_of_line_end(at_)) word += plain(at_);
     }
     if (is_end()) fail(start, "this \" is not closed");
     ++at_;
@@ -166,7 +175,7 @@ class StepSplitter {
       at_ += text_[at_ + 1] == '\r' ? 3 : 2;
       return;
     }
-    word += text_[at_ + 1];
+    word += plain(at_ + 1);
     at_ += 2;
   }
 

@@ -11,15 +11,15 @@
 namespace pliant {
 namespace {
 
-constexpr double same_time = 1e-9;  // times closer than this part of a step are the same
+constexpr double same_time = 1e-9;   // times closer than this part of a step are the same
+constexpr double most_steps = 9e15;  // beyond it not every whole number is a double
 
 }  // namespace
 
 Schedule::Schedule(double first_time, ScheduleOptions options) : first_(first_time), options_(std::move(options)) {
   assert(options_.dt > 0 && std::isfinite(options_.dt) && std::isfinite(first_));
   std::ranges::sort(options_.at);
-  const auto [begin, end] = std::ranges::unique(options_.at);
-  options_.at.erase(begin, end);
+  options_.at.erase(std::unique(options_.at.begin(), options_.at.end()), options_.at.end());
 }
 
 double Schedule::slack() const { return same_time * options_.dt; }
@@ -30,9 +30,9 @@ double Schedule::grid_time(long step) const {
 }
 
 long Schedule::steps_done(double time) const {
-  constexpr double most = 9e15;  // beyond it not every whole number is a double
   const double quotient = std::floor((time - first_) / options_.dt);
-  long step = static_cast<long>(std::clamp(quotient, 0.0, most));
+  if (quotient >= most_steps) return static_cast<long>(most_steps);
+  long step = static_cast<long>(std::max(quotient, 0.0));
   while (step > 0 && grid_time(step) > time + slack()) --step;
   // The last step may be a short one, to `until`.
   while (grid_time(step + 1) <= time + slack() && grid_time(step + 1) > grid_time(step)) ++step;
@@ -69,6 +69,48 @@ bool Schedule::is_frame(double time, long steps_done) const {
   if (!options_.even_steps) return true;
   const double goal = round_time(first_ + static_cast<double>(steps_done) * options_.dt, options_.dt);
   return std::abs(goal - time) <= slack();  // a last step that was shortened to `until` is none
+}
+
+bool Schedule::is_past_end(double time, long steps_done) const {
+  if (options_.until && time > *options_.until + slack()) return true;
+  if (!options_.steps) return false;
+  return options_.even_steps ? time > grid_time(*options_.steps) + slack() : steps_done > *options_.steps;
+}
+
+std::optional<double> Schedule::goal_from(double time) const {
+  if (time <= first_) return first_;
+  if ((time - first_) / options_.dt >= most_steps) return {};
+  // One whole step before is a goal, or as good as one: a goal close to it leads to the same next one.
+  double goal = grid_time(std::max(0L, steps_done(time) - 1));
+  while (goal < time) {
+    if (options_.until && goal >= *options_.until - slack()) return {};
+    const double next = meet(grid_time(steps_done(goal) + 1), goal);
+    if (!(next > goal)) return {};  // a step does not change a time of so many digits
+    goal = next;
+  }
+  return goal;
+}
+
+bool Schedule::has_same_frames(const Schedule& other, double time) const {
+  const auto up_to = [this, time](const std::vector<double>& at) {
+    const auto begin = std::ranges::upper_bound(at, first_ + slack());
+    return std::vector<double>(begin, std::max(begin, std::ranges::upper_bound(at, time)));
+  };
+  return up_to(options_.at) == up_to(other.options_.at);
+}
+
+bool Schedule::agrees(const Schedule& other, double time, long steps_done) const {
+  assert(first_ == other.first_ && options_.dt == other.options_.dt && options_.every == other.options_.every &&
+         options_.even_steps == other.options_.even_steps);
+  if (time == first_) return true;
+  if (!has_same_frames(other, time)) return false;
+  if (options_.even_steps) return goal_from(time) == other.goal_from(time);
+  constexpr double never = std::numeric_limits<double>::infinity();
+  const bool has_same_end = options_.until == other.options_.until;
+  const double end =
+      has_same_end ? never : std::min(options_.until.value_or(never), other.options_.until.value_or(never));
+  const double reach = time + options_.dt + slack();  // a part of a step that ends at `time` went no further than this
+  return (end > reach && has_same_frames(other, reach)) || (end > time + slack() && is_frame(time, steps_done));
 }
 
 }  // namespace pliant

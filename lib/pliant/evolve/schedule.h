@@ -37,11 +37,21 @@ class Schedule {
   /// Is there a frame at `time`, by the schedule: the first one, or one of `every` or of `at`? (The last state is also
   /// written, but a longer simulation would not have that frame.)
   bool is_frame(double time, long steps_done) const;
+  /// Does `time`, or the number of steps, lie beyond the end, so that nothing is to be done that would lead there?
+  bool is_past_end(double time, long steps_done) const;
+  /// Is a simulation of another schedule, with the same first time, dt and every, at `time` in the state in which one
+  /// of this schedule is then, on the way to the same goal, and were there frames at the same times before? For uneven
+  /// steps false also where that is not known, since the step that led to `time` may have been shortened.
+  bool agrees(const Schedule& other, double time, long steps_done) const;
+  /// Are the times in `at` the same up to `time`?
+  bool has_same_frames(const Schedule& other, double time) const;
 
  private:
   double slack() const;                         // times closer than this are the same
   double grid_time(long step) const;            // t0 + step dt, not beyond `until`
   double meet(double goal, double time) const;  // the next of `at` and `until` before `goal`, or in its place
+  // The first goal of even steps that is not before `time`; none where all is done before.
+  std::optional<double> goal_from(double time) const;
 
   double first_;
   ScheduleOptions options_;
