@@ -4,10 +4,12 @@
 #include <string>
 
 #include "formats/problem/problem_json.h"
+#include "pliant/boundary/fault.h"
 #include "pliant/fem/coefficient.h"
 #include "pliant/generate/mesh_from_boundary.h"
 #include "pliant/geometry/bernstein.h"
 #include "pliant/mesh/interpolate_nodes.h"
+#include "problem/diffusion.h"
 #include "support/sample_boundaries.h"
 
 namespace pliant::testing {
@@ -56,6 +58,29 @@ inline TriangleId triangle_in(const Mesh& mesh, int face) {
   for (TriangleId t{0}; t < mesh.triangle_slots(); ++t)
     if (mesh.face(t) == face) return t;
   throw std::runtime_error("no triangle");
+}
+
+inline const std::string plain = R"("materials": {"*": {}})";
+
+struct Refusal {
+  std::string pointer = "accepted", text;
+};
+
+inline Refusal refusal_of(const ProblemDocument& problem, const Mesh& mesh) {
+  try {
+    make_diffusion_problem(problem, mesh);
+  } catch (const InputError& e) {
+    return {e.pointer(), e.what()};
+  }
+  return {};
+}
+
+/// The value of an expression as a source, at a point.
+inline double value_at(const std::string& expression, const CoefficientPoint& at,
+                       const std::string& parameters = "{}") {
+  const DiffusionProblem problem = make_diffusion_problem(
+      problem_of(R"("materials": {"*": {"source": ")" + expression + "\"}}", parameters), at.mesh);
+  return (*problem.materials[index(at.mesh.face(at.triangle))].source)(at);
 }
 
 }  // namespace pliant::testing

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # diffuse as a program: figures with closed forms, totals over many steps with all passes, evolve and pipe, refusals.
-. "${BASH_SOURCE%/*}/common.bash"
+. "${BASH_SOURCE%/*}/../common.bash"
 for tool in diffuse evolve advect flipdelaunay refine coarsen smoothcurves bspline2mesh; do
   has_tool "$tool" || { echo "$tool is not built" >&2; exit 77; }
 done
