@@ -19,9 +19,6 @@ constexpr double nonlinear_tolerance = 1e-11;  // of the change in one iteration
 
 /// At rest factors serve many steps, and are worth more than the time that they take; above, they take much memory.
 constexpr int largest_direct_at_rest = 200'000;
-/// From here on a system with a mass is more like one without: conjugate gradients need about the root of this number of
-/// iterations without a coarse space.
-constexpr double least_stiff = 1e5;
 
 std::vector<Point> points_of(const Mesh& mesh) {
   std::vector<Point> points;
@@ -106,15 +103,8 @@ std::unique_ptr<LinearSolver> Diffusion::choose_solver(std::optional<double> shi
   const int rows = equation_.space().size();
   // Which solver it is must not depend on how many steps follow: steps one by one give the bytes of many at once.
   if (is_assembled_ && rows <= largest_direct_at_rest) return make_direct_symmetric();
-  const CsrPattern& pattern = equation_.pattern();
-  double stiffness = 0;  // the mean of shift * stiffness / mass on the diagonal
-  for (int i = 0; i < rows && shift; ++i) {
-    const std::size_t k = index(pattern.find(i, i));
-    stiffness += *shift * system_.stiffness.values[k] / system_.mass.values[k] / rows;
-  }
-  if (shift && stiffness < least_stiff) return make_symmetric_solver(rows, true);
   const CoarseSpace coarse = equation_.coarse_space();
-  return make_symmetric_solver(rows, false, &coarse);
+  return make_symmetric_solver(rows, shift.has_value(), &coarse);
 }
 
 void Diffusion::factor(std::optional<double> shift) {
