@@ -84,7 +84,8 @@ class ChosenSolver : public LinearSolver {
 
 std::unique_ptr<LinearSolver> make_symmetric_solver(int rows, bool mass_dominated, const CoarseSpace* coarse) {
   assert(!coarse || coarse->rows() == rows);
-  const bool has_coarse = coarse != nullptr && rows > largest_small;
+  // A space that is hardly coarser, as the hats are at degree 1, saves nothing.
+  const bool has_coarse = coarse != nullptr && rows > largest_small && coarse->size <= rows / 2;
   return std::make_unique<ChosenSolver>(mass_dominated, has_coarse ? std::optional(*coarse) : std::nullopt);
 }
 
