@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # The samples of diffuse, made by their Makefiles: heated-cell with fewer steps on a coarser mesh, poisson whole. Their
 # own checks must hold, and their READMEs must show what they run.
-. "${BASH_SOURCE%/*}/common.bash"
+. "${BASH_SOURCE%/*}/../common.bash"
 for tool in bspline2mesh evolve diffuse qualityreport import-svg export-svg export-gltf; do has_tool "$tool" || exit 77; done
 for program in make python3; do command -v "$program" >/dev/null || exit 77; done
 heated=$SOURCE/samples/heated-cell poisson=$SOURCE/samples/poisson
