@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # The gallery is drawn again by its script: certified meshes, small pictures.
-. "${BASH_SOURCE%/*}/common.bash"
+. "${BASH_SOURCE%/*}/../common.bash"
 for file in /usr/share/openclipart/svg /usr/share/fonts/truetype/dejavu/DejaVuSans.ttf; do
   [ -e "$file" ] || { echo "$file is missing" >&2; exit 77; }
 done
