@@ -79,7 +79,7 @@ pages = page + "".join((pathlib.Path(folder) / f"{name}.1").read_text() for name
 named = set(re.findall(r"^\.(?:It )?Va (\w+)", pages, re.MULTILINE))
 section = page.split(".Sh REPORT\n")[1].split("\n.Sh ")[0] if ".Sh REPORT\n" in page else ""
 entries = set(re.findall(r"^\.It Va (\w+)", section, re.MULTILINE))
-values = {name for line in open(report) for name in json.loads(line)["values"]}
+values = {name.split(":")[0] for line in open(report) for name in json.loads(line)["values"]}
 assert values, "no report"
 for fault, names in ("not documented", values - named), ("in no report", entries - values):
     if names:

@@ -84,7 +84,7 @@ TEST_CASE("a problem of a file takes the place of the one that the mesh carries"
   CHECK(mesh.extra[0].first == "problem");
 }
 
-TEST_CASE("--set gives parameters other values, which the mesh carries, too", "[tools][problem]") {
+TEST_CASE("the option --set gives parameters other values, which the mesh carries, too", "[tools][problem]") {
   const TemporaryFile file(document);
   const auto set = option_of({"--problem", file.path(), "--set", "k=3"});
   const auto both = option_of({"--set", "h=7", "--set", "k=+1e-1"}), later = option_of({});
@@ -181,7 +181,7 @@ TEST_CASE("a faulty file is refused with its place before any mesh is read", "[t
   CHECK_THROWS_WITH(option_of({"--problem", "-"}), Contains("standard input is for meshes"));
 }
 
-TEST_CASE("--set wants parameters of the problem and finite numbers", "[tools][problem]") {
+TEST_CASE("the option --set wants parameters of the problem and finite numbers", "[tools][problem]") {
   const TemporaryFile file(document);
   const auto refused = [&](Words words, const std::string& text) {
     words.insert(words.begin(), {"--problem", file.path()});

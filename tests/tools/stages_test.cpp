@@ -15,14 +15,28 @@ using namespace pliant::testing;
 
 namespace {
 
+/// A problem for `diffuse`, in a file.
+std::string problem_file() {
+  const std::string name = "stages_problem.json";
+  std::ofstream(name) << R"json({"format": "pliant-problem", "version": 1, "parameters": {"k": 0.1}, "diffuse": {
+    "field": "heat", "materials": {"*": {"diffusivity": "k*(1+x^2)", "source": "sin(t)"}}, "initial": "x*y"}})json";
+  return name;
+}
+
 /// Every stage once, with what it must be told and nothing else.
-const Pipe bare{
-    {"advect", "--flow", "shear", "--dt", "0.2"}, {"flipdelaunay"}, {"refine"}, {"coarsen"}, {"smoothcurves"}};
+const Pipe bare{{"advect", "--flow", "shear", "--dt", "0.2"},
+                {"diffuse", "--problem", problem_file(), "--dt", "0.1"},
+                {"flipdelaunay"},
+                {"refine"},
+                {"coarsen"},
+                {"smoothcurves"}};
 
 /// Every stage once, with many of its options.
 const Pipe with_options{
     {"advect", "--vx", "0.3*sin(y)*cos(t)", "--vy", "0.3*sin(2*x)+0.1*t", "--dt", "0.2", "--until", "0.5", "--substeps",
      "2", "--limit", "--keep-area"},
+    {"diffuse", "--problem", problem_file(), "--set", "k=0.2", "--flow", "shear", "--dt", "0.05", "--steps", "2",
+     "--scheme", "crank-nicolson", "--limit"},
     {"flipdelaunay", "--max-flips", "20", "--projection", "l2"},
     {"refine", "--size", "0.3+0.1*x*x", "--max-area", "0.2", "--max-turning", "35", "--projection", "conservative"},
     {"coarsen", "--tolerance", "1e-2", "--step-tolerance", "5e-3", "--factor", "1.5", "--region-change", "conserve",

@@ -32,9 +32,9 @@ std::vector<Point> points_of(const Mesh& mesh) {
 void DiffuseStage::add_options(CLI::App& app) {
   problem_.add(app);
   app.add_flag("--steady", steady_, "solve for the state that does not change in time, at the time of the mesh");
-  app.add_option("--steps", steps_, "so many steps of DT, one after the other")
+  app.add_option("--steps", steps_, "so many steps of DT, one after the other; 0: only make the field, from its initial values")
       ->type_name("N")
-      ->check(CLI::Range(1, 1000000000))
+      ->check(CLI::Range(0, 1000000000))
       ->capture_default_str();
   app.add_option("--scheme", scheme_,
                  "how a step is taken: sdirk2 (order 2, damping), crank-nicolson (order 2) or euler")
@@ -63,7 +63,9 @@ void DiffuseStage::check(const CLI::App& app) {
   options_.conservative = form_ == "conservative";
   if (!options_.conservative && options_.scheme == TimeScheme::crank_nicolson)
     throw UsageError("--form nonconservative goes with --scheme sdirk2 or euler");
-  if (!steady_ && !problem_.wants_explanation()) return motion_.check(app);
+  if (!steady_ && steps_ > 0 && !problem_.wants_explanation()) return motion_.check(app);
+  if (!steady_ && steps_ == 0 && MotionOption::is_given(app))
+    throw UsageError("--steps 0 takes no step: --dt, --until and the options of motion have no meaning with it");
   if (!steady_) return;
   for (const char* option : {"--steps", "--scheme", "--form"})
     if (app.count(option) > 0) throw UsageError(std::string(option) + " has no meaning with --steady");

@@ -18,7 +18,7 @@ class DiffuseStage : public Stage {
            "steady "
            "state.";
   }
-  bool advances_time() const override { return !steady_; }
+  bool advances_time() const override { return !steady_ && steps_ > 0; }
   double time_step() const override { return steps_ * motion_.dt(); }
   int velocity_field(const Mesh& mesh) const override { return motion_.velocity_field(mesh); }
   const char* own_end() const override { return motion_.until() ? "--until" : nullptr; }

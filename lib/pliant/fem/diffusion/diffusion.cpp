@@ -91,8 +91,11 @@ void Diffusion::put(std::span<const double> unknowns) {
 }
 
 void Diffusion::assemble(const Configuration& at, std::optional<double> shift, bool serves_again) {
+  if (!serves_again || !is_assembled_)
+    equation_.assemble(at, system_);
+  else if (problem_.depends_on_time)
+    equation_.assemble_load(at, system_.load);
   if (serves_again && is_assembled_ && prepared_shift_ == shift && solver_ != nullptr) return;
-  if (!serves_again || !is_assembled_) equation_.assemble(at, system_);
   is_assembled_ = serves_again;
   factor(shift);
   prepared_shift_ = shift;
@@ -231,7 +234,7 @@ void Diffusion::step_conservatively(std::span<const Point> from, double t0, bool
   const Space& space = equation_.space();
   const std::vector<double> values = element_values(mesh_, field_, 0);
   std::vector<double> x = unknowns_of(space, values), rates(x.size(), 0.0), unused(x.size());
-  const bool again = !moves && !problem_.depends_on_time && !problem_.depends_on_unknown;
+  const bool again = !moves && !problem_.matrices_depend_on_time && !problem_.depends_on_unknown;
   const Configuration start{from, t0}, end{points_, mesh_.time};
 
   // What there is at the start; for crank_nicolson, half of what comes in at the rate of then, too.
@@ -267,7 +270,7 @@ void Diffusion::step_by_derivatives(std::span<const Point> from, double t0, bool
   const Space& space = equation_.space();
   const std::vector<double> before = unknowns_of(space, element_values(mesh_, field_, 0));
   std::vector<double> x = before, base = before, derivative(x.size());
-  const bool again = !moves && !problem_.depends_on_time && !problem_.depends_on_unknown;
+  const bool again = !moves && !problem_.matrices_depend_on_time && !problem_.depends_on_unknown;
   const auto solve_stage = [&](const Configuration& at, double shift, double weight) {
     solve_at(
         at, shift, again,

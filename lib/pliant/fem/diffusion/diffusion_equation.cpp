@@ -136,6 +136,23 @@ void DiffusionEquation::assemble(const Configuration& at, DiffusionSystem& syste
   }
 }
 
+void DiffusionEquation::assemble_load(const Configuration& at, std::vector<double>& load) const {
+  load.assign(index(space_.size()), 0.0);
+  ElementTerms terms(problem_, mesh_);
+  for (TriangleId t = 0; t < mesh_.triangle_slots(); ++t) {
+    if (!problem_.materials[index(mesh_.face(t))].source) continue;
+    terms.set(at, t);
+    const auto unknowns = space_.of(t);
+    for (std::size_t i = 0; i < unknowns.size(); ++i) load[index(unknowns[i])] += terms.load()[i];
+  }
+  EdgeTerms edge(problem_, mesh_);
+  for_each_conditioned_edge([&](HalfEdgeId h, const DiffusionCondition& condition, std::span<const int> unknowns) {
+    if (condition.kind == Kind::value) return;
+    edge.set(at, h, condition);
+    for (std::size_t i = 0; i < unknowns.size(); ++i) load[index(unknowns[i])] += edge.load()[i];
+  });
+}
+
 void DiffusionEquation::apply(const Configuration& at, std::span<const double> values, double amount_factor,
                               std::span<double> amounts, double rate_factor, std::span<double> rates,
                               CurveFluxes* fluxes) const {

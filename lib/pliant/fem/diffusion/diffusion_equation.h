@@ -44,6 +44,8 @@ class DiffusionEquation {
   /// Throws      InputError where a coefficient is not finite or out of range
   /// Complexity  O(mesh)
   void assemble(const Configuration& at, DiffusionSystem& system) const;
+  /// The same for the load only.
+  void assemble_load(const Configuration& at, std::vector<double>& load) const;
   /// Writes the given values of fixed unknowns.
   void fix(const Configuration& at, std::span<double> unknowns) const;
   /// amounts += amount_factor * mass c, rates += rate_factor * (load - stiffness c), for a function that is given by
