@@ -50,7 +50,8 @@ void with_file(const std::string& file, std::string_view text, const std::functi
     work();
   } catch (const InputError& e) {
     std::string pointer = e.pointer();
-    if (pointer.starts_with(carried)) pointer.erase(0, carried.size());
+    if (!pointer.starts_with(carried)) throw;
+    pointer.erase(0, carried.size());
     const DocumentPlace place = find_place(text, pointer);
     throw InputError(
         "", file + ":" + std::to_string(place.line) + ": " + at_pointer(pointer, with_column(e.what(), place)));
@@ -144,10 +145,14 @@ ProblemDocument ProblemOption::load(Mesh& mesh) const {
 }
 
 DiffusionProblem ProblemOption::make_diffusion(const ProblemDocument& problem, const Mesh& mesh) const {
-  if (carried_ == nullptr) return make_diffusion_problem(problem, mesh);
   DiffusionProblem diffusion;
-  with_file(file_, text_, [&] { diffusion = make_diffusion_problem(problem, mesh); });
+  in_problem([&] { diffusion = make_diffusion_problem(problem, mesh); });
   return diffusion;
+}
+
+void ProblemOption::in_problem(const std::function<void()>& work) const {
+  if (carried_ == nullptr) return work();
+  with_file(file_, text_, work);
 }
 
 }  // namespace pliant

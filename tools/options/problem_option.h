@@ -1,5 +1,6 @@
 // tools/options/problem_option.h: --problem, --set and --explain: what is to be solved on a mesh.
 #pragma once
+#include <functional>
 #include <memory>
 #include <string>
 #include <utility>
@@ -32,6 +33,9 @@ class ProblemOption {
   ProblemDocument load(Mesh& mesh) const;
   /// make_diffusion_problem with a problem that `load` has returned; what it throws tells the line of the file.
   DiffusionProblem make_diffusion(const ProblemDocument& problem, const Mesh& mesh) const;
+  /// Runs `work` on a problem that `load` has returned. Where --problem gave it, an InputError with a pointer below
+  /// "/problem" comes out with the line of the file.
+  void in_problem(const std::function<void()>& work) const;
 
  private:
   void read_file();

@@ -32,7 +32,8 @@ std::vector<Point> points_of(const Mesh& mesh) {
 void DiffuseStage::add_options(CLI::App& app) {
   problem_.add(app);
   app.add_flag("--steady", steady_, "solve for the state that does not change in time, at the time of the mesh");
-  app.add_option("--steps", steps_, "so many steps of DT, one after the other; 0: only make the field, from its initial values")
+  app.add_option("--steps", steps_,
+                 "so many steps of DT, one after the other; 0: only make the field, from its initial values")
       ->type_name("N")
       ->check(CLI::Range(0, 1000000000))
       ->capture_default_str();
@@ -102,12 +103,14 @@ PassReport DiffuseStage::run(Mesh& mesh, const StageContext& context) const {
   options.wants_fluxes = context.wants_details;
   PassReport report;
   try {
-    Diffusion diffusion(problem, mesh, options);
-    if (steady_)
-      diffusion.solve_steady();
-    else
-      report = take_steps(diffusion, mesh, context);
-    if (context.wants_details) diffusion.report(report);
+    problem_.in_problem([&] {
+      Diffusion diffusion(problem, mesh, options);
+      if (steady_)
+        diffusion.solve_steady();
+      else
+        report = take_steps(diffusion, mesh, context);
+      if (context.wants_details) diffusion.report(report);
+    });
   } catch (const NoSolution& error) {
     throw NoResult(error.what());
   }

@@ -26,7 +26,7 @@ class Coefficient {
   using Function = std::function<double(const CoefficientPoint&)>;
 
   explicit Coefficient(double value) : constant_(value) {}
-  /// `name` is what messages call it: where it stands in the problem, and its text.
+  /// `name` is what messages call it: where it stands in the problem (a JSON pointer), a colon, and its text.
   Coefficient(Function function, std::string name) : function_(std::move(function)), name_(std::move(name)) {}
   Coefficient(double value, std::string name) : constant_(value), name_(std::move(name)) {}
 

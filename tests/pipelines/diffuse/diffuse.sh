@@ -81,8 +81,9 @@ run 3 diffuse --problem heat.json --steady mesh.json
 says '"value" or "robin"'
 problem bad.json '{"field": "c", "materials": {"*": {"diffusivity": "0.1-x"}}, "initial": 1}'
 run 3 diffuse --problem bad.json --dt 0.1 mesh.json
+says 'bad.json:1: /diffuse/materials/*/diffusivity'
 says 'positive'
-says 'time'
+says 'time 0'
 no_output
 problem bad.json '{"field": "c", "materials": {"*": {"source": "log(x)"}}, "initial": 1}'
 run 3 diffuse --problem bad.json --dt 0.1 mesh.json
@@ -91,6 +92,9 @@ problem bad.json '{"field": "c", "materials": {"*": {}}}'
 run 3 diffuse --problem bad.json --dt 0.1 mesh.json
 says 'no initial value'
 run 3 diffuse --problem heat.json --dt 0.1 tangled.json
+run 0 diffuse --problem heat.json --steps 0 mesh.json
+grep -q '"name":"c"' out || fail "--steps 0 makes no field"
+run 2 diffuse --problem heat.json --steps 0 --dt 0.1 mesh.json
 problem stiff.json '{"field": "c", "materials": {"*": {"source": "-50*c"}}, "initial": "x", "conditions": []}'
 run 4 diffuse --problem stiff.json --dt 1 mesh.json
 says 'Picard'

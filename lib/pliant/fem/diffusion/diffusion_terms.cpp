@@ -19,11 +19,14 @@ bool is_constant(const DiffusionMaterial& material) {
 
 [[noreturn]] void refuse_value(const Coefficient& coefficient, double value, const Point& place, double time,
                                const char* what) {
+  const std::string& name = coefficient.name();
+  const std::size_t colon = name.starts_with('/') ? name.find(": ") : std::string::npos;
+  const std::string pointer = colon == std::string::npos ? "/problem" : name.substr(0, colon);
   std::ostringstream text;
   text.precision(17);
-  text << coefficient.name() << " is " << value << " at (" << place.x << ", " << place.y << ") and time " << time
-       << "; it must be " << what;
-  throw InputError("/problem", text.str());
+  text << (colon == std::string::npos ? name : name.substr(colon + 2)) << " is " << value << " at (" << place.x << ", "
+       << place.y << ") and time " << time << "; it must be " << what;
+  throw InputError(pointer, text.str());
 }
 
 }  // namespace

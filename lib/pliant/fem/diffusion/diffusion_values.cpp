@@ -104,12 +104,13 @@ void DiffusionEquation::require_determined() const {
   });
   for (TriangleId t = 0; t < mesh_.triangle_slots(); ++t) {
     if (held[index(root(space_.of(t)[0]))] != 0) continue;
+    std::vector<std::string> names;
+    for (const Curve& curve : mesh_.boundary().curves)
+      if ((curve.left == mesh_.face(t) || curve.right == mesh_.face(t)) &&
+          std::ranges::find(names, curve.name) == names.end())
+        names.push_back(curve.name);
     std::string curves;
-    for (std::size_t c = 0; c < edges_.size(); ++c) {
-      const Curve& curve = mesh_.boundary().curves[c];
-      if (curve.left == mesh_.face(t) || curve.right == mesh_.face(t))
-        curves += (curves.empty() ? "\"" : ", \"") + curve.name + "\"";
-    }
+    for (const std::string& name : names) curves += (curves.empty() ? "\"" : ", \"") + name + "\"";
     throw InputError(
         "/problem/diffuse/conditions",
         "a steady solution is determined up to a constant only in the part of the domain that holds face \"" +
