@@ -1,5 +1,6 @@
 // tests/mesh/same_mesh.h: compares two meshes, bit for bit, in everything that can be asked of them.
 #pragma once
+#include <algorithm>
 #include <bit>
 #include <cstdint>
 #include <string>
@@ -16,6 +17,10 @@ inline std::string difference(const Mesh& a, const Mesh& b) {
   if (a.triangle_slots() != b.triangle_slots()) return "triangle slots";
   if (a.point_slots() != b.point_slots()) return "point slots";
   if (a.triangle_count() != b.triangle_count()) return "triangle count";
+  if (!same_bits(a.measured_box().low, b.measured_box().low) ||
+      !same_bits(a.measured_box().high, b.measured_box().high))
+    return "measured box";
+  if (!same_bits(a.tolerance(), b.tolerance())) return "tolerance";
   if (!same_bits(a.size(), b.size()) || !same_bits(a.time, b.time)) return "size or time";
   for (TriangleId t = 0; t < a.triangle_slots(); ++t) {
     const std::string place = " of triangle " + std::to_string(t);
@@ -37,6 +42,8 @@ inline std::string difference(const Mesh& a, const Mesh& b) {
     const std::string place = " of point " + std::to_string(p);
     if (a.is_point_alive(p) != b.is_point_alive(p) || a.vertex_half_edge(p) != b.vertex_half_edge(p))
       return "half-edge" + place;
+    if (!std::ranges::equal(a.pinched_half_edges(p), b.pinched_half_edges(p))) return "components" + place;
+    if (a.is_lone_vertex(p) != b.is_lone_vertex(p)) return "loneliness" + place;
     if (!same_bits(a.point(p), b.point(p))) return "position" + place;
     for (int f = 0; f < static_cast<int>(a.fields().size()); ++f)
       for (FaceId face = 0; face < static_cast<FaceId>(a.boundary().faces.size()); ++face)

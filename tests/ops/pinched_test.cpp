@@ -1,4 +1,5 @@
 // tests/ops/pinched_test.cpp: operations on lobes that touch each other in one vertex.
+#include "mesh/same_mesh.h"
 #include "ops/carried_domains.h"
 #include "pliant/mesh/star.h"
 
@@ -85,7 +86,9 @@ TEST_CASE("every component of a pinched vertex's star is seen, whatever operatio
     CHECK(remove_inner_vertex(mesh, v) == Outcome::constrained);
     CHECK(remove_curve_vertex(mesh, v, {HUGE_VAL}).outcome == Outcome::corner);
     CHECK(same_document(data, mesh.to_data()));
+    const Mesh read(data);
     mesh.compact();
+    CHECK(difference(mesh, read) == "");
     check_star(mesh, pinch_of(mesh));
   }
   CHECK(operations.done > 200);

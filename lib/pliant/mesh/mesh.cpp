@@ -10,10 +10,14 @@
 namespace pliant {
 
 Box Mesh::box() const {
-  Box box;
-  for (std::size_t p = 0; p < points_.size(); ++p)
-    if (vertex_half_edges_[p] != free_slot) box.extend(points_[p]);
-  return box;
+  Point low = Box().low, high = Box().high;  // Box::extend without a branch
+  const bool is_any_free = !free_points_.empty();
+  for (std::size_t p = 0; p < points_.size(); ++p) {
+    if (is_any_free && vertex_half_edges_[p] == free_slot) continue;
+    low = {std::min(low.x, points_[p].x), std::min(low.y, points_[p].y)};
+    high = {std::max(high.x, points_[p].x), std::max(high.y, points_[p].y)};
+  }
+  return {low, high};
 }
 
 // -- control values

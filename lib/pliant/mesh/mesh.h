@@ -1,6 +1,7 @@
 // lib/pliant/mesh/mesh.h: the one mesh: shared control points by index, adjacency, constrained edges, fields.
 #pragma once
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cstdint>
 #include <span>
@@ -178,7 +179,20 @@ class Mesh {
   }
   Mesh(MeshData& data, const HalfEdges& half_edges);
   void measure();
-  void connect(const MeshData& data, const HalfEdges& half_edges);
+  void constrain(const std::vector<ConstrainedEdge>& edges, const HalfEdges& half_edges);
+  void find_vertex_half_edges();
+  void find_pinches();
+  void note_lone_points();
+  void renumber_in_order();
+  /// A place of fields by face: (point, face), and its slot.
+  struct Place {
+    std::array<std::int32_t, 2> at;
+    std::int32_t slot;
+    friend bool operator<(const Place& a, const Place& b) { return a.at < b.at; }
+  };
+  /// All places, sorted; number[p] is the number that point p shall have.
+  std::vector<Place> list_places(const std::vector<PointId>& number) const;
+  void sort_places(const std::vector<PointId>& number);
   void log(Log what, std::size_t index, std::uint64_t bits) {
     if (recording_ > 0) log_.push_back({what, static_cast<std::uint32_t>(index), bits});
   }

@@ -1,5 +1,6 @@
 // lib/pliant/mesh/check/lone_vertices.h: the mesh vertices where the boundary has a vertex in which no curve ends.
 #pragma once
+#include <span>
 #include <vector>
 
 #include "pliant/mesh/mesh_data.h"
@@ -16,5 +17,8 @@ struct LoneVertex {
 ///
 /// Complexity  O(curves) where there are none, else O(mesh * log)
 std::vector<LoneVertex> find_lone_vertices(const MeshData& data);
+/// The same for a mesh with these points and triangles (as in MeshData).
+std::vector<LoneVertex> find_lone_vertices(const BoundaryComplex& boundary, int degree, std::span<const Point> points,
+                                           std::span<const PointId> triangles);
 
 }  // namespace pliant

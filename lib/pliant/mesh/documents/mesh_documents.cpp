@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "pliant/geometry/index.h"
+#include "pliant/mesh/documents/span_edges.h"
 #include "pliant/mesh/half_edges.h"
 #include "pliant/mesh/mesh.h"
 #include "pliant/mesh/renumber.h"
@@ -10,33 +11,18 @@
 namespace pliant {
 namespace {
 
-/// The constrained edges as a document has them, sorted by curve and span; number[p] is the number of point p there.
+/// The constrained edges as a document has them; number[p] is the number of point p there.
 std::vector<ConstrainedEdge> list_constrained_edges(const Mesh& mesh, const std::vector<PointId>& number) {
   std::vector<ConstrainedEdge> edges;
-  std::vector<std::vector<double>> breaks(mesh.boundary().curves.size());
   const int p = mesh.degree();
-  for (TriangleId t = 0; t < mesh.triangle_slots(); ++t) {
-    if (!mesh.is_alive(t)) continue;
-    for (int e = 0; e < 3; ++e) {
-      const HalfEdgeId h = half_edge(t, e);
-      if (!mesh.is_constrained(h)) continue;
-      const bool forward = mesh.runs_forward(h);
-      if (!forward && mesh.twin(h) != none) continue;  // its twin is listed
-      const ConstraintId c = mesh.constraint(h);
-      ConstrainedEdge edge;
-      edge.curve = mesh.constraint_curve(c);
-      std::vector<double>& starts = breaks[static_cast<std::size_t>(edge.curve)];
-      if (starts.empty()) starts = mesh.spline(edge.curve).breaks();
-      const double start = mesh.constraint_start(c);
-      edge.span = static_cast<int>(std::lower_bound(starts.begin(), starts.end(), start) - starts.begin());
-      for (int k = 0; k <= p; ++k)
-        edge.points.push_back(number[static_cast<std::size_t>(mesh.edge_point(h, forward ? k : p - k))]);
-      edges.push_back(std::move(edge));
-    }
+  for (const SpanEdge& span : span_edges(mesh)) {
+    ConstrainedEdge& edge = edges.emplace_back();
+    edge.curve = span.curve;
+    edge.span = span.number;
+    edge.points.reserve(index(p + 1));
+    for (int k = 0; k <= p; ++k)
+      edge.points.push_back(number[index(mesh.edge_point(span.half_edge, span.is_forward ? k : p - k))]);
   }
-  std::sort(edges.begin(), edges.end(), [](const ConstrainedEdge& a, const ConstrainedEdge& b) {
-    return std::pair{a.curve, a.span} < std::pair{b.curve, b.span};
-  });
   return edges;
 }
 
@@ -53,18 +39,26 @@ Mesh::Mesh(MeshData& data, const HalfEdges& half_edges)
       layout_(&NetLayout::of(data.degree)),
       lone_vertices_(find_lone_vertices(data)) {
   boundary_ = std::move(data.boundary);
-  for (const LoneVertex& each : lone_vertices_)
-    if (each.point != none) lone_points_.push_back(each.point);
-  std::sort(lone_points_.begin(), lone_points_.end());
-  connect(data, half_edges);
+  note_lone_points();
+  twins_ = half_edges.twins();
+  constrain(data.constrained_edges, half_edges);
   points_ = std::move(data.points);
   nets_ = std::move(data.triangles);
   faces_ = std::move(data.triangle_faces);
   triangle_count_ = static_cast<int>(faces_.size());
+  find_vertex_half_edges();
+  find_pinches();
   for (Field& field : data.fields) set_field(std::move(field));
   measure();
   stale_.numbering = false;
   stale_.numbers = true;
+}
+
+void Mesh::note_lone_points() {
+  lone_points_.clear();
+  for (const LoneVertex& each : lone_vertices_)
+    if (each.point != none) lone_points_.push_back(each.point);
+  std::sort(lone_points_.begin(), lone_points_.end());
 }
 
 void Mesh::measure() {
@@ -95,40 +89,47 @@ void Mesh::set_field(Field field) {
   for (const Field& each : fields_) width_ += each.components;
 }
 
-void Mesh::connect(const MeshData& data, const HalfEdges& half_edges) {
-  twins_ = half_edges.twins();
+void Mesh::constrain(const std::vector<ConstrainedEdge>& edges, const HalfEdges& half_edges) {
   constraints_.assign(twins_.size(), none);
-  vertex_half_edges_.assign(data.points.size(), none);
-  for (std::size_t t = data.triangle_faces.size(); t-- > 0;)
-    for (int e = 3; e-- > 0;)
-      vertex_half_edges_[index(data.triangles[t * index(net_size_) + index(e)])] =
-          half_edge(static_cast<TriangleId>(t), e);
-
-  // Each component of an open star begins with a half-edge that has no twin. Two of them at one vertex: it is pinched.
-  std::vector<char> is_open(data.points.size(), 0);
-  std::vector<PointId> pinched;
-  for (const HalfEdgeId h : data.half_edges()) {
-    if (twins_[index(h)] != none) continue;
-    const PointId v = data.triangles[index(triangle_of(h)) * index(net_size_) + index(edge_of(h))];
-    if (is_open[index(v)] == 1) pinched.push_back(v);
-    if (is_open[index(v)] < 2) ++is_open[index(v)];
-  }
-  for (const PointId v : pinched) pinches_[v];
-  for (const HalfEdgeId h : data.half_edges()) {
-    if (pinched.empty()) break;
-    if (twins_[index(h)] != none) continue;
-    const auto found = pinches_.find(data.triangles[index(triangle_of(h)) * index(net_size_) + index(edge_of(h))]);
-    if (found != pinches_.end()) found->second.push_back(h);
-  }
-
   std::vector<std::vector<double>> breaks(boundary_.curves.size());
-  for (const ConstrainedEdge& edge : data.constrained_edges) {
+  for (const ConstrainedEdge& edge : edges) {
     std::vector<double>& starts = breaks[index(edge.curve)];
     if (starts.empty()) starts = spline(edge.curve).breaks();
     const ConstraintId c = add_constraint(edge.curve, starts[index(edge.span)], edge.points.front());
     for (const HalfEdgeId h : half_edges.along(edge.points))
       if (h != none) constraints_[index(h)] = c;
   }
+}
+
+/// Chooses the first half-edge that leaves each vertex.
+void Mesh::find_vertex_half_edges() {
+  vertex_half_edges_.assign(points_.size(), none);
+  for (TriangleId t = triangle_slots(); t-- > 0;)
+    for (int e = 3; e-- > 0;) vertex_half_edges_[index(corner(t, e))] = half_edge(t, e);
+}
+
+/// Each component of an open star begins with a half-edge that has no twin. Two of them at one vertex: it is pinched.
+void Mesh::find_pinches() {
+  std::vector<std::pair<PointId, HalfEdgeId>> open;
+  for (const HalfEdgeId h : half_edges())
+    if (twins_[index(h)] == none) open.emplace_back(origin(h), h);
+  std::sort(open.begin(), open.end());
+  pinches_.clear();
+  for (std::size_t first = 0, last = 0; first < open.size(); first = last) {
+    while (last < open.size() && open[last].first == open[first].first) ++last;
+    if (last - first < 2) continue;
+    std::vector<HalfEdgeId>& known = pinches_[open[first].first];
+    for (std::size_t k = first; k < last; ++k) known.push_back(open[k].second);
+  }
+}
+
+std::vector<Mesh::Place> Mesh::list_places(const std::vector<PointId>& number) const {
+  std::vector<Place> places;
+  places.reserve(places_.size());
+  for (const auto& [key, slot] : places_)
+    places.push_back({{number[index(static_cast<PointId>(key >> 32))], static_cast<FaceId>(key & 0xffffffffu)}, slot});
+  std::sort(places.begin(), places.end());
+  return places;
 }
 
 MeshData Mesh::to_data() const {
@@ -155,10 +156,7 @@ MeshData Mesh::to_data() const {
 
   data.constrained_edges = list_constrained_edges(*this, number);
 
-  std::vector<std::pair<std::array<std::int32_t, 2>, std::int32_t>> places;
-  for (const auto& [key, place] : places_)
-    places.push_back({{number[index(static_cast<PointId>(key >> 32))], static_cast<FaceId>(key & 0xffffffffu)}, place});
-  std::sort(places.begin(), places.end());
+  const std::vector<Place> places = list_places(number);
   for (const Field& field : fields_) {
     Field out;
     out.name = field.name;
@@ -170,8 +168,8 @@ MeshData Mesh::to_data() const {
         out.values.push_back(field.values[slot * index(field.components) + c]);
     };
     if (field.by_face) {
-      for (const auto& [place, slot] : places) {
-        out.places.push_back(place);
+      for (const auto& [at, slot] : places) {
+        out.places.push_back(at);
         copy(index(slot));
       }
     } else {
@@ -181,14 +179,6 @@ MeshData Mesh::to_data() const {
     data.fields.push_back(std::move(out));
   }
   return data;
-}
-
-void Mesh::compact() {
-  assert(recording_ == 0);
-  if (stale_.numbering)
-    *this = Mesh(to_data());
-  else if (stale_.measures)
-    measure();
 }
 
 void Mesh::renumber() {
