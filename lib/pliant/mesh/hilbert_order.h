@@ -19,12 +19,17 @@ class HilbertOrder {
   /// The place of p on the curve. A point outside the grid has the place of the nearest cell.
   std::uint64_t operator()(const Point& p) const {
     std::uint64_t x = cell((p.x - low_.x) * scale_), y = cell((p.y - low_.y) * scale_), place = 0;
-    for (std::uint64_t bit = std::uint64_t{1} << (bits_ - 1); bit > 0; bit >>= 1) {
-      const bool right = x & bit, up = y & bit;
-      place = 4 * place + (right ? (up ? 2 : 3) : (up ? 1 : 0));
-      if (up) continue;  // the upper quarters are like the whole; the lower two are mirrored at a diagonal
-      if (right) x = ~x, y = ~y;
-      std::swap(x, y);
+    for (int bit = bits_ - 1; bit >= 0; --bit) {
+      const std::uint64_t right = (x >> bit) & 1, up = (y >> bit) & 1;
+      place = 4 * place + ((3 * right) ^ up);
+      // The upper quarters are like the whole; the lower two are mirrored at a diagonal. Masks do that without a
+      // branch, which would be taken at random.
+      const std::uint64_t lower = up - 1, turned = lower & (std::uint64_t{0} - right);  // all bits or none
+      x ^= turned;
+      y ^= turned;
+      const std::uint64_t swapped = (x ^ y) & lower;
+      x ^= swapped;
+      y ^= swapped;
     }
     return place;
   }
