@@ -43,6 +43,23 @@ double logical_angle(const Mesh& mesh, HalfEdgeId h) {
   return std::atan2(cross(a, b), dot(a, b));
 }
 
+/// Do any two edges on curves leave the star's vertex less than 60 degrees apart? Where one smooth curve passes, as
+/// nearly everywhere, they leave in opposite directions, and nothing else needs to be asked. A single edge counts as
+/// a pair with itself.
+bool has_sharp_pair(const Mesh& mesh, const Star& star, std::vector<Vector>& directions) {
+  directions.clear();
+  for (const HalfEdgeId h : star.outgoing) {
+    if (mesh.is_constrained(h)) directions.push_back(direction(mesh, h, false));
+    const HalfEdgeId back = previous(h);  // the last edge of each half-disk has no half-edge that leaves
+    if (mesh.twin(back) == none && mesh.is_constrained(back)) directions.push_back(direction(mesh, back, true));
+  }
+  if (directions.size() == 1) return true;
+  for (std::size_t i = 1; i < directions.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      if (is_below_sixty(directions[i], directions[j])) return true;
+  return false;
+}
+
 /// The face in which two neighbouring edges on curves enclose a small angle at the star's vertex; `several` if there is
 /// more than one such face, outside if there is none. The angle is that of the tangents; the logical triangles between
 /// the two edges tell it from the rest of the full turn.
@@ -89,12 +106,16 @@ SharpCorners::SharpCorners(const Mesh& mesh) {
 
 void SharpCorners::find_corners(const Mesh& mesh) {
   Star star;
+  std::vector<Vector> directions;
+  std::vector<bool> is_seen(index(mesh.point_slots()), false);
   for (const HalfEdgeId h : mesh.half_edges()) {
-    if (!mesh.is_alive(triangle_of(h)) || !mesh.is_constrained(h)) continue;
+    if (!mesh.is_constrained(h) || !mesh.is_alive(triangle_of(h))) continue;
     // At a corner one constrained half-edge of each face leaves and one arrives; looking at those that leave is enough.
     const PointId v = mesh.origin(h);
-    if (contains(v)) continue;
+    if (is_seen[index(v)]) continue;
+    is_seen[index(v)] = true;
     find_star(mesh, v, star);
+    if (!has_sharp_pair(mesh, star, directions)) continue;
     if (const FaceId f = sharp_face(mesh, star); f != outside) corners_.emplace(v, f);
   }
 }
