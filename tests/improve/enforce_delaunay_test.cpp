@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <catch2/catch.hpp>
+#include <cmath>
+#include <random>
 #include <set>
 
 #include "improve/nearly_straight.h"
@@ -279,4 +281,40 @@ TEST_CASE("at most as many edges are flipped as asked", "[improve]") {
   }
   CHECK(flips >= 4);
   CHECK(count_not_delaunay(mesh) == 0);
+}
+
+TEST_CASE("the state of an edge is what the exact predicates say, also near their limits", "[improve][property]") {
+  std::mt19937_64 random(5);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  std::uniform_int_distribution<int> lattice(-2, 2), steps(-4, 4);
+  int wanted = 0, cocircular = 0;
+  for (int k = 0; k < 100'000; ++k) {
+    // Points of a lattice are often on one line or on one circle; some are moved off it by a few roundings.
+    std::array<Point, 4> p;
+    const double scale = std::ldexp(1.0, k % 5 == 0 ? 400 * (k % 3 - 1) : 0);
+    for (Point& each : p) {
+      each = k % 2 == 0 ? Point{uniform(random), uniform(random)}
+                        : Point{double(lattice(random)) + 7, double(lattice(random)) - 3};
+      if (k % 4 == 1) each.x += steps(random) * 0x1p-50;
+      each *= scale;
+    }
+    const auto& [a, b, c, d] = p;
+    const bool is_above = orient2d(a, b, c) > 0, is_below = orient2d(b, a, d) > 0;
+    const bool flips = orient2d(a, d, c) > 0 && orient2d(d, b, c) > 0;
+    EdgeState state = EdgeState::inverted;
+    if (!is_above || !is_below)
+      state = (is_above || is_below) && flips ? EdgeState::turned_over : EdgeState::inverted;
+    else if (in_circle(a, b, c, d) <= 0)
+      state = EdgeState::delaunay;
+    else
+      state = flips ? EdgeState::not_delaunay : EdgeState::inverted;
+    if (edge_state(a, b, c, d) != state) {
+      CAPTURE(k, scale);
+      CHECK(edge_state(a, b, c, d) == state);
+    }
+    wanted += wants_flip(state) ? 1 : 0;
+    cocircular += is_above && is_below && in_circle(a, b, c, d) == 0 ? 1 : 0;
+  }
+  CHECK(wanted > 1000);
+  CHECK(cocircular > 100);
 }
