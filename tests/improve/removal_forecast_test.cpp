@@ -5,6 +5,7 @@
 #include <random>
 
 #include "improve/improve_meshes.h"
+#include "mesh/same_mesh.h"
 #include "pliant/flow/advect.h"
 #include "pliant/improve/coarsen.h"
 #include "pliant/improve/coarsening/removal_chain.h"
@@ -68,9 +69,10 @@ TEST_CASE("a removal that the forecast refuses is refused on the mesh, too", "[i
         if (!slated[static_cast<std::size_t>(v)]) continue;
         CAPTURE(degree, sample.name, angle, v);
         Transaction transaction(mesh);  // rolled back in the end
-        const RemovalRefusal said = forecast.of(v);
+        const bool is_on_curve = roles[static_cast<std::size_t>(v)] != VertexRole::inner;
+        const RemovalRefusal said = forecast.of(v, is_on_curve);
         RemovalChain chain(mesh, limits, slated);
-        const RemovalRefusal done = chain.remove(v, roles[static_cast<std::size_t>(v)] != VertexRole::inner);
+        const RemovalRefusal done = chain.remove(v, is_on_curve);
         if (done.reason) ++refused;
         if (!said.reason) continue;
         ++foreseen;
@@ -134,6 +136,7 @@ TEST_CASE("a vertex of the boundary without a curve stays a mesh vertex", "[impr
   options.tolerance = 0.01;
   CHECK(value_of(coarsen(mesh, options), "removals") > 0);
   CHECK(mesh.point(lone_vertex_of(mesh)) == place);
+  CHECK(difference(mesh, Mesh(mesh.to_data())) == "");
   CHECK(remove_inner_vertex(mesh, lone_vertex_of(mesh)) == Outcome::constrained);
   CHECK(check_structure(mesh.to_data()).empty());
 

@@ -89,28 +89,34 @@ class Coarsener {
       if (roles_[index(v)] == VertexRole::curve) roles_[index(v)] = VertexRole::kept;
       if (roles_[index(v)] == VertexRole::inner) stuck.push_back(v);
     }
-    std::vector<double> bounds = longest_edges();
+    const VertexGraph graph(mesh_);
+    std::vector<double> bounds = longest_edges(graph);
     for (double& bound : bounds) bound *= growth;
     if (options_.feature_share > 0) {
       const std::vector<double> features = local_feature_sizes(mesh_, chains);
       for (std::size_t k = 0; k < bounds.size(); ++k)
-        bounds[k] = std::min(bounds[k], options_.feature_share * features[k]);
+        bounds[k] = std::min(bounds[k], options_.feature_share * features[index(graph.vertex(static_cast<int>(k)))]);
     }
-    const VertexGraph graph(mesh_);
-    const std::vector<double> spacing = wanted_spacing(mesh_, graph, chains, roles_, limits_.goals, bounds, gradation);
+    const std::vector<double> spacing =
+        wanted_spacing(mesh_, graph, chains, roles_, limits_.goals, std::move(bounds), gradation);
     const std::vector<bool> chosen = independent_set(mesh_, graph, chains, roles_, spacing, stuck, options_.factor);
     slated_.assign(chosen.size(), false);
     for (PointId v = 0; v < mesh_.point_slots(); ++v) slated_[index(v)] = mesh_.is_vertex(v) && !chosen[index(v)];
   }
-  /// The longest edge at each vertex, by point slot.
-  std::vector<double> longest_edges() const {
-    std::vector<double> longest(index(mesh_.point_slots()), 0);
-    for (const HalfEdgeId h : mesh_.half_edges()) {
-      if (!mesh_.is_alive(triangle_of(h))) continue;
-      if (mesh_.twin(h) > h) continue;  // each edge once
-      const double length = edge_length(h);
-      for (const PointId v : {mesh_.origin(h), mesh_.target(h)})
-        longest[index(v)] = std::max(longest[index(v)], length);
+  /// The longest edge at each vertex, by number in the graph.
+  static std::vector<double> longest_edges(const VertexGraph& graph) {
+    std::vector<double> longest;
+    longest.reserve(index(graph.count()));
+    for (int k = 0; k < graph.count(); ++k) {
+      const Point place = graph.place(k);
+      double squared = 0;
+      for (const int near : graph.around(k)) squared = std::max(squared, squared_length(graph.place(near) - place));
+      double here = std::sqrt(squared);
+      if (!(squared > 1e-280 && squared < 1e280)) {  // where squares under- or overflow
+        here = 0;
+        for (const int near : graph.around(k)) here = std::max(here, quick_distance(graph.place(near), place));
+      }
+      longest.push_back(here);
     }
     return longest;
   }
@@ -140,12 +146,13 @@ class Coarsener {
   /// The slated vertices along Hilbert's curve, so that one follows another that is near it in memory.
   std::vector<PointId> slated_in_order() const {
     const HilbertOrder order(mesh_.box(), 16);
-    std::vector<std::pair<std::uint64_t, PointId>> places;
+    std::vector<std::uint64_t> places;  // on the curve, 32 bits, then the vertex
     for (PointId v = 0; v < mesh_.point_slots(); ++v)
-      if (slated_[index(v)]) places.emplace_back(order(mesh_.point(v)), v);
+      if (slated_[index(v)]) places.push_back((order(mesh_.point(v)) << 32) | index(v));
     std::sort(places.begin(), places.end());
     std::vector<PointId> slated;
-    for (const auto& [place, v] : places) slated.push_back(v);
+    slated.reserve(places.size());
+    for (const std::uint64_t place : places) slated.push_back(static_cast<PointId>(place & 0xffffffffu));
     return slated;
   }
 
@@ -182,10 +189,6 @@ class Coarsener {
         waiting_.push_back(w);
       }
     }
-  }
-
-  double edge_length(HalfEdgeId h) const {
-    return quick_distance(mesh_.point(mesh_.origin(h)), mesh_.point(mesh_.target(h)));
   }
 
   PassReport make_report() const {

@@ -2,9 +2,11 @@
 #include "pliant/improve/coarsening/independent_set.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
-#include <queue>
+#include <optional>
 #include <utility>
 
 #include "pliant/geometry/index.h"
@@ -20,18 +22,20 @@ constexpr double in_plane = 0.8;      // least distance of two chosen inner vert
 /// All numbers of vertices are those of the graph.
 class Chooser {
  public:
-  Chooser(const Mesh& mesh, const VertexGraph& graph, const std::vector<VertexRole>& roles,
-          const std::vector<double>& spacing, double factor)
-      : graph_(graph), factor_(factor) {
+  Chooser(const VertexGraph& graph, const std::vector<VertexRole>& roles, const std::vector<double>& spacing,
+          double factor)
+      : graph_(graph), factor_(factor), visited_(index(graph.count()), none) {
     nodes_.reserve(index(graph.count()));
+    std::size_t most = 0;
     for (int k = 0; k < graph.count(); ++k) {
-      const PointId v = graph.vertex(k);
       Node node;
-      node.place = mesh.point(v);
-      node.spacing = spacing[index(v)];
-      node.role = roles[index(v)];
+      node.place = graph.place(k);
+      node.spacing = spacing[index(k)];
+      node.role = roles[index(graph.vertex(k))];
       nodes_.push_back(node);
+      most = std::max(most, graph.around(k).size());
     }
+    near_.resize(most + 1);
   }
 
   std::vector<bool> run(const std::vector<CurveChain>& chains, const std::vector<PointId>& preferred, int slots) {
@@ -58,7 +62,6 @@ class Chooser {
     Point place;
     double spacing = 0;
     float queued = std::numeric_limits<float>::infinity();  ///< no more than the least ratio at which it is queued
-    int visited = none;
     VertexRole role = VertexRole::inner;
     bool is_chosen = false, is_shut_out = false;
   };
@@ -103,13 +106,13 @@ class Chooser {
   void choose(int chosen) {
     Node& center = nodes_[index(chosen)];
     center.is_chosen = true;
-    center.visited = chosen;
+    visited_[index(chosen)] = chosen;
     front_.assign(1, chosen);
     for (std::size_t k = 0; k < front_.size(); ++k) {
-      for (const int near : graph_.around(front_[k])) {
+      const std::size_t found = find_unvisited(front_[k], chosen);
+      for (std::size_t i = 0; i < found; ++i) {
+        const int near = near_[i];
         Node& node = nodes_[index(near)];
-        if (node.visited == chosen) continue;
-        node.visited = chosen;
         const double reach = in_plane * factor_ * (center.spacing + node.spacing) / 2;
         // Where the squares tell on which side of a bound the ratio is, no root is taken.
         const double squared = squared_length(node.place - center.place), unit = reach * reach;
@@ -131,29 +134,67 @@ class Chooser {
     }
   }
 
+  /// Collects in near_ the neighbours of k that were not visited for this chosen vertex yet, without a branch for each:
+  /// which of them were is anyone's guess. Returns how many there are.
+  std::size_t find_unvisited(int k, int chosen) {
+    std::size_t found = 0;
+    for (const int near : graph_.around(k)) {
+      int& visited = visited_[index(near)];
+      near_[found] = near;
+      found += visited != chosen ? 1 : 0;
+      visited = chosen;
+    }
+    return found;
+  }
+
   /// Queues a candidate, unless it is queued already at a ratio that surely is no greater: then that one decides.
   void enqueue(int k, double ratio) {
     Node& node = nodes_[index(k)];
     const auto rounded = static_cast<float>(ratio);
     if (node.queued < rounded) return;
     node.queued = rounded;
-    queue_.push({ratio, k});
+    queue_.push(ratio, k);
   }
 
   void advance() {
-    while (!queue_.empty()) {
-      const int k = queue_.top().second;
-      queue_.pop();
-      if (is_candidate(k)) choose(k);
-    }
+    while (const std::optional<int> k = queue_.pop())
+      if (is_candidate(*k)) choose(*k);
   }
 
-  using Item = std::pair<double, int>;
+  /// A priority queue of vertices by ratios between 1 and `rim`, and then by numbers, in heaps for narrow ranges of
+  /// ratios: these stay small.
+  class Queue {
+   public:
+    void push(double ratio, int k) {
+      const auto range = static_cast<std::size_t>(std::clamp((ratio - 1) * per_unit, 0.0, ranges - 1.0));
+      heaps_[range].emplace_back(ratio, k);
+      std::push_heap(heaps_[range].begin(), heaps_[range].end(), std::greater<>());
+      first_ = std::min(first_, range);
+    }
+    std::optional<int> pop() {
+      while (first_ < ranges && heaps_[first_].empty()) ++first_;
+      if (first_ == ranges) return std::nullopt;
+      std::vector<Item>& heap = heaps_[first_];
+      const int k = heap.front().second;
+      std::pop_heap(heap.begin(), heap.end(), std::greater<>());
+      heap.pop_back();
+      return k;
+    }
+
+   private:
+    using Item = std::pair<double, int>;
+    static constexpr std::size_t ranges = 512;
+    static constexpr double per_unit = ranges / (rim - 1);
+    std::array<std::vector<Item>, ranges> heaps_;
+    std::size_t first_ = ranges;
+  };
+
   const VertexGraph& graph_;
   double factor_;
   std::vector<Node> nodes_;
-  std::vector<int> front_;
-  std::priority_queue<Item, std::vector<Item>, std::greater<>> queue_;
+  std::vector<int> visited_;  // the last chosen vertex for which it was visited
+  std::vector<int> front_, near_;
+  Queue queue_;
 };
 
 }  // namespace
@@ -161,7 +202,7 @@ class Chooser {
 std::vector<bool> independent_set(const Mesh& mesh, const VertexGraph& graph, const std::vector<CurveChain>& chains,
                                   const std::vector<VertexRole>& roles, const std::vector<double>& spacing,
                                   const std::vector<PointId>& preferred, double factor) {
-  return Chooser(mesh, graph, roles, spacing, factor).run(chains, preferred, mesh.point_slots());
+  return Chooser(graph, roles, spacing, factor).run(chains, preferred, mesh.point_slots());
 }
 
 }  // namespace pliant

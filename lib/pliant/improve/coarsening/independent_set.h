@@ -6,8 +6,9 @@
 
 namespace pliant {
 
-/// Chooses a maximal set of vertices in which no inner vertex is closer to another one than 0.8 `factor` times the mean
-/// of the two wanted lengths. Returns for each point slot whether it was chosen. The order of choice:
+/// Chooses, by wanted lengths (by number in the graph), a maximal set of vertices in which no inner vertex is closer to
+/// another one than 0.8 `factor` times the mean of the two wanted lengths. Returns for each point slot whether it was
+/// chosen. The order of choice:
 /// - all `kept` vertices, and between them along each curve as many as the wanted lengths ask for, as even as possible;
 /// - the `preferred` inner vertices, where they are not too close to each other or to the ones before;
 /// - the other inner vertices, from the chosen ones outward. The vertex nearest to what is chosen already comes first,

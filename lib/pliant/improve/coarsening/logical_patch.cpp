@@ -6,9 +6,7 @@
 
 #include "pliant/geometry/index.h"
 #include "pliant/geometry/predicates.h"
-#include "pliant/improve/edge_bend.h"
 #include "pliant/improve/legalize.h"
-#include "pliant/mesh/star.h"
 #include "pliant/ops/removal/merge.h"
 
 namespace pliant {
@@ -17,79 +15,13 @@ namespace {
 constexpr int most_flips = 60;   // flips after one removal
 constexpr int most_degree = 40;  // triangles around a vertex that is removed
 
-int outside_piece(HalfEdgeId h) { return -2 - as_int(h); }
-HalfEdgeId half_edge_of(int beyond) { return HalfEdgeId{-2 - beyond}; }
-
 }  // namespace
-
-/// Copies a triangle of the mesh that is not here yet, and joins it to the pieces that border on it.
-int LogicalPatch::bring_in(TriangleId t) {
-  const int now = static_cast<int>(pieces_.size());
-  Piece copy;
-  copy.is_alive = true;
-  copy.face = mesh_.face(t);
-  copy.triangle = t;
-  for (int e = 0; e < 3; ++e) {
-    const HalfEdgeId h = half_edge(t, e), g = mesh_.twin(h);
-    if (measures_) squared_bend_ = std::max(squared_bend_, squared_bend(mesh_, h));
-    copy.corners[index(e)] = mesh_.origin(h);
-    copy.is_constrained[index(e)] = mesh_.is_constrained(h);
-    copy.beyond[index(e)] = g == none ? wall : outside_piece(g);
-  }
-  for (int p = 0; p < now; ++p) {
-    Piece& other = piece(p);
-    for (std::size_t f = 0; f < 3 && other.is_alive; ++f) {
-      if (other.beyond[f] >= wall) continue;
-      const HalfEdgeId h = half_edge_of(other.beyond[f]);
-      if (triangle_of(h) != t) continue;
-      other.beyond[f] = now;
-      copy.beyond[index(edge_of(h))] = p;
-    }
-  }
-  pieces_.push_back(copy);
-  return now;
-}
-
-int LogicalPatch::side_towards(int p, PointId origin) const {
-  const Corners& corners = pieces_[index(p)].corners;
-  return corners[0] == origin ? 0 : corners[1] == origin ? 1 : 2;
-}
-
-/// Joins a side of a piece to what is beyond it, and that to the piece.
-void LogicalPatch::set_beyond(int p, int side, int beyond, bool is_constrained) {
-  piece(p).beyond[index(side)] = beyond;
-  piece(p).is_constrained[index(side)] = is_constrained;
-  if (beyond >= 0)  // its side runs the other way
-    piece(beyond).beyond[index(side_towards(beyond, piece(p).corners[index((side + 1) % 3)]))] = p;
-}
-
-/// Some piece with this corner; brings one in if there is none.
-int LogicalPatch::piece_at(PointId v) {
-  for (int p = 0; p < static_cast<int>(pieces_.size()); ++p)
-    if (piece(p).is_alive && std::find(piece(p).corners.begin(), piece(p).corners.end(), v) != piece(p).corners.end())
-      return p;
-  return bring_in(triangle_of(mesh_.vertex_half_edge(v)));
-}
-
-int LogicalPatch::neighbor(int p, int side) {
-  const int beyond = piece(p).beyond[index(side)];
-  return beyond >= 0 ? beyond : bring_in(triangle_of(half_edge_of(beyond)));
-}
-
-/// Turns a piece so that v is its corner 0.
-void LogicalPatch::turn(int p, PointId v) {
-  Piece& here = piece(p);
-  const int c = side_towards(p, v);
-  std::rotate(here.corners.begin(), here.corners.begin() + c, here.corners.end());
-  std::rotate(here.beyond.begin(), here.beyond.begin() + c, here.beyond.end());
-  std::rotate(here.is_constrained.begin(), here.is_constrained.begin() + c, here.is_constrained.end());
-}
 
 LogicalPatch::Outcome LogicalPatch::gather_ring(PointId v) {
   ring_.clear();
-  const int first = piece_at(v);
+  const int first = piece_at(v), corner = number_of(v);
   for (int p = first;;) {
-    turn(p, v);
+    turn(p, corner);
     ring_.push_back(p);
     if (piece(p).beyond[2] == wall || piece(p).is_constrained[2]) return Outcome::on_curve;
     if (static_cast<int>(ring_.size()) > most_degree) return Outcome::unknown;
@@ -98,59 +30,80 @@ LogicalPatch::Outcome LogicalPatch::gather_ring(PointId v) {
   }
 }
 
-/// Collects the pieces around v on p's side of the curve; false if there are too many.
-bool LogicalPatch::gather_fan(int p, PointId v) {
+/// Collects the pieces around a corner on p's side of the curve; false if there are too many.
+bool LogicalPatch::gather_fan(int p, int corner) {
   const auto ends = [this](int q, int side) {
     return piece(q).beyond[index(side)] == wall || piece(q).is_constrained[index(side)];
   };
-  turn(p, v);
+  turn(p, corner);
   for (int steps = 0; !ends(p, 0); ++steps) {
     if (steps > most_degree) return false;
     p = neighbor(p, 0);
-    turn(p, v);
+    turn(p, corner);
   }
   ring_.assign(1, p);
   while (!ends(p, 2)) {
     if (static_cast<int>(ring_.size()) > most_degree) return false;
     p = neighbor(p, 2);
-    turn(p, v);
+    turn(p, corner);
     ring_.push_back(p);
   }
   return true;
 }
 
-/// Cuts off the deepest ear that a flip can cut, as `reduce_fan` does; false if there is none.
-bool LogicalPatch::cut_ear(bool is_closed) {
-  const int count = static_cast<int>(ring_.size());
-  const Point& v = place(piece(ring_[0]).corners[0]);
-  const auto link = [&](int i) -> const Point& {
-    return i == count && !is_closed ? place(piece(ring_[index(count - 1)]).corners[2])
-                                    : place(piece(ring_[index((i + count) % count)]).corners[1]);
+/// Cuts off ears until `least` pieces are left in the ring, the deepest ear that a flip can cut first, as `reduce_fan`
+/// does. False if at some point there is none, or there were too few pieces.
+bool LogicalPatch::reduce_ring(bool is_closed, int least) {
+  int count = static_cast<int>(ring_.size());
+  if (count <= least) return count == least;
+  const Point v = place(piece(ring_[0]).corners[0]);
+  // Ear i is the triangle of places i, i + 1, i + 2: a link vertex between its two neighbours. In a closed ring the
+  // link's last vertex comes first, too, and the first one last.
+  link_.clear();
+  if (is_closed) link_.push_back(place(piece(ring_.back()).corners[1]));
+  for (const int p : ring_) link_.push_back(place(piece(p).corners[1]));
+  link_.push_back(is_closed ? link_[1] : place(piece(ring_.back()).corners[2]));
+  const auto depth_of = [&](int i) {  // infinite where no flip can cut the ear
+    const Point &a = link_[index(i)], &b = link_[index(i + 1)], &c = link_[index(i + 2)];
+    return cross(b - a, c - a) > 0 ? depth_in_circle(a, b, c, v) : HUGE_VAL;
   };
   ears_.clear();
-  for (int i = is_closed ? 0 : 1; i < count; ++i) {
-    const Point &a = link(i - 1), &b = link(i), &c = link(i + 1);
-    if (cross(b - a, c - a) > 0) ears_.emplace_back(depth_in_circle(a, b, c, v), i);
+  for (int i = 0; i + 2 < static_cast<int>(link_.size()); ++i) ears_.push_back(depth_of(i));
+  const int first = is_closed ? 0 : 1;  // the place in the ring of the piece after the spoke to ear 0
+  for (;;) {
+    const auto best = static_cast<int>(std::min_element(ears_.begin(), ears_.end()) - ears_.begin());
+    if (ears_.empty() || !(ears_[index(best)] < HUGE_VAL)) return false;
+    const Point &a = link_[index(best)], &b = link_[index(best + 1)], &c = link_[index(best + 2)];
+    if (orient2d(v, a, c) <= 0 || orient2d(a, b, c) <= 0) {
+      ears_[index(best)] = HUGE_VAL;
+      continue;
+    }
+    const int after = best + first;
+    flip(ring_[index((after + count - 1) % count)], 2);
+    ring_.erase(ring_.begin() + after);
+    if (--count == least) return true;
+    ears_.erase(ears_.begin() + best);
+    link_.erase(link_.begin() + best + 1);
+    if (is_closed) {
+      link_.front() = link_[link_.size() - 2];
+      link_.back() = link_[1];
+      ears_[index((best + count - 1) % count)] = depth_of((best + count - 1) % count);
+      ears_[index(best % count)] = depth_of(best % count);
+    } else {
+      if (best > 0) ears_[index(best - 1)] = depth_of(best - 1);
+      if (index(best) < ears_.size()) ears_[index(best)] = depth_of(best);
+    }
   }
-  std::sort(ears_.begin(), ears_.end());
-  for (const auto& [depth, i] : ears_) {
-    const Point &a = link(i - 1), &b = link(i), &c = link(i + 1);
-    if (orient2d(v, a, c) <= 0 || orient2d(a, b, c) <= 0) continue;
-    flip(ring_[index((i + count - 1) % count)], 2);
-    ring_.erase(ring_.begin() + i);
-    return true;
-  }
-  return false;
 }
 
-/// Flips the side that p shares with another piece q. Afterwards p lies around the old side's target, q around its
-/// origin, which become their corner 0.
+/// Flips the side that p shares with another piece q. Afterwards p lies around
+/// the old side's target, q around its origin, which become their corner 0.
 void LogicalPatch::flip(int p, int side) {
   const int q = piece(p).beyond[index(side)];
   const Piece old_p = piece(p), old_q = piece(q);
-  const PointId a = old_p.corners[index(side)], b = old_p.corners[index((side + 1) % 3)];
+  const int a = old_p.corners[index(side)], b = old_p.corners[index((side + 1) % 3)];
   const int f = side_towards(q, b);
-  const PointId c = old_p.corners[index((side + 2) % 3)], d = old_q.corners[index((f + 2) % 3)];
+  const int c = old_p.corners[index((side + 2) % 3)], d = old_q.corners[index((f + 2) % 3)];
   // The side from a to b becomes one from d to c: q keeps a, d, c and p keeps b, c, d, or the other way round.
   const auto fill = [&](int to, const Corners& corners, const Piece& one, int one_side, const Piece& two, int two_side,
                         int other) {
@@ -158,6 +111,7 @@ void LogicalPatch::flip(int p, int side) {
     now.corners = corners;
     now.beyond = {one.beyond[index(one_side)], other, two.beyond[index(two_side)]};
     now.is_constrained = {one.is_constrained[index(one_side)], false, two.is_constrained[index(two_side)]};
+    now.is_settled = {};
     now.is_new = true;
   };
   // Around b: (b, c, d) with b c from p and d b from q. Around a: (a, d, c) with a d from q and c a from p.
@@ -175,6 +129,7 @@ void LogicalPatch::merge_ring() {
   now.corners = {now.corners[1], one.corners[1], two.corners[1]};
   now.beyond = {now.beyond[1], one.beyond[1], two.beyond[1]};
   now.is_constrained = {now.is_constrained[1], one.is_constrained[1], two.is_constrained[1]};
+  now.is_settled = {};
   now.is_new = true;
   piece(merged) = now;
   piece(ring_[1]).is_alive = piece(ring_[2]).is_alive = false;
@@ -189,6 +144,7 @@ int LogicalPatch::merge_fan() {
   now.corners = {now.corners[1], now.corners[2], other.corners[2]};
   now.beyond = {now.beyond[1], other.beyond[1], wall};
   now.is_constrained = {now.is_constrained[1], other.is_constrained[1], true};
+  now.is_settled = {};
   now.is_new = true;
   piece(merged) = now;
   piece(ring_[1]).is_alive = false;
@@ -196,33 +152,39 @@ int LogicalPatch::merge_fan() {
   return merged;
 }
 
-void LogicalPatch::bring_in_star(PointId v) {
-  find_star(mesh_, v, star_);
-  for (const HalfEdgeId h : star_.outgoing)
-    if (std::none_of(pieces_.begin(), pieces_.end(),
-                     [t = triangle_of(h)](const Piece& each) { return each.triangle == t; }))
-      bring_in(triangle_of(h));
-}
-
 bool LogicalPatch::has_moved(const Piece& piece) const {
   return std::any_of(moved_.begin(), moved_.end(), [&](const auto& each) {
-    return std::find(piece.corners.begin(), piece.corners.end(), each.first) != piece.corners.end();
+    const std::array<PointId, 3> corners = vertices(piece);
+    return std::find(corners.begin(), corners.end(), each.first) != corners.end();
   });
+}
+
+/// Does edge_state ask for a flip of this side, which is on no curve?
+bool LogicalPatch::wants_flip(int p, int side) {
+  Piece& here = piece(p);
+  const int beyond = here.beyond[index(side)], origin = here.corners[index((side + 1) % 3)];
+  const Point &a = place(here.corners[index(side)]), &b = place(origin),
+              &c = place(here.corners[index((side + 2) % 3)]);
+  int back = 0;
+  const bool is_here = beyond >= 0;
+  if (is_here) back = side_towards(beyond, origin);
+  const Point d =
+      is_here ? place(piece(beyond).corners[index((back + 2) % 3)]) : place_of(mesh_.apex(half_edge_of(beyond)));
+  if (pliant::wants_flip(edge_state(a, b, c, d))) return true;
+  here.is_settled[index(side)] = true;
+  if (is_here) piece(beyond).is_settled[index(back)] = true;
+  return false;
 }
 
 LogicalPatch::Outcome LogicalPatch::flip_to_delaunay() {
   for (int flips = 0; !stack_.empty();) {
     const int p = stack_.back() / 3, side = stack_.back() % 3;
     stack_.pop_back();
-    if (!piece(p).is_alive || piece(p).is_constrained[index(side)] || piece(p).beyond[index(side)] == wall) continue;
-    const int beyond = piece(p).beyond[index(side)];
-    const Corners& corners = piece(p).corners;
-    const PointId a = corners[index(side)], b = corners[index((side + 1) % 3)], c = corners[index((side + 2) % 3)];
-    const PointId d = beyond >= 0 ? piece(beyond).corners[index((side_towards(beyond, b) + 2) % 3)]
-                                  : mesh_.apex(half_edge_of(beyond));
-    if (!wants_flip(edge_state(place(a), place(b), place(c), place(d)))) continue;
+    const Piece& here = piece(p);
+    if (!here.is_alive || here.is_constrained[index(side)] || here.beyond[index(side)] == wall) continue;
+    if (here.is_settled[index(side)] || !wants_flip(p, side)) continue;
     if (++flips > most_flips) return Outcome::unknown;
-    const int q = beyond >= 0 ? beyond : bring_in(triangle_of(half_edge_of(beyond)));
+    const int q = neighbor(p, side);
     flip(p, side);
     for (const int both : {p, q})
       for (const int e : {0, 2}) stack_.push_back(3 * both + e);
@@ -233,9 +195,7 @@ LogicalPatch::Outcome LogicalPatch::flip_to_delaunay() {
 LogicalPatch::Outcome LogicalPatch::remove_inner(PointId v) {
   if (const Outcome outcome = gather_ring(v); outcome != Outcome::done) return outcome;
   hole_ = ring_;
-  while (ring_.size() > 3)
-    if (!cut_ear(true)) return Outcome::stuck;
-  if (ring_.size() < 3) return Outcome::stuck;
+  if (!reduce_ring(true, 3)) return Outcome::stuck;
   merge_ring();
   stack_.clear();
   for (const int p : hole_)
@@ -245,20 +205,20 @@ LogicalPatch::Outcome LogicalPatch::remove_inner(PointId v) {
 }
 
 LogicalPatch::Outcome LogicalPatch::remove_on_curve(PointId v, const std::vector<std::pair<PointId, Point>>& moved) {
-  link_.clear();
-  const auto reduce = [this, v](int p) {
-    if (!gather_fan(p, v)) return Outcome::unknown;
-    for (const int q : ring_) link_.insert(link_.end(), {piece(q).corners[1], piece(q).corners[2]});
-    while (ring_.size() > 2)
-      if (!cut_ear(false)) return Outcome::stuck;
-    return ring_.size() == 2 ? Outcome::done : Outcome::stuck;
+  rim_.clear();
+  const auto reduce = [this](int p, int corner) {
+    if (!gather_fan(p, corner)) return Outcome::unknown;
+    for (const int q : ring_)
+      for (const int c : {1, 2}) rim_.push_back(vertices_[index(piece(q).corners[index(c)])]);
+    return reduce_ring(false, 2) ? Outcome::done : Outcome::stuck;
   };
-  if (const Outcome outcome = reduce(piece_at(v)); outcome != Outcome::done) return outcome;
+  const int start = piece_at(v), corner = number_of(v);
+  if (const Outcome outcome = reduce(start, corner); outcome != Outcome::done) return outcome;
   if (piece(ring_[0]).beyond[0] == wall) {
     merge_fan();
   } else {
     const std::array<int, 2> near{ring_[0], ring_[1]};
-    if (const Outcome outcome = reduce(neighbor(near[0], 0)); outcome != Outcome::done) return outcome;
+    if (const Outcome outcome = reduce(neighbor(near[0], 0), corner); outcome != Outcome::done) return outcome;
     const int far = merge_fan();
     ring_.assign(near.begin(), near.end());
     const int merged = merge_fan();
@@ -266,8 +226,12 @@ LogicalPatch::Outcome LogicalPatch::remove_on_curve(PointId v, const std::vector
     piece(far).beyond[2] = merged;
   }
   moved_ = moved;
-  for (const auto& [w, to] : moved) link_.push_back(w);
-  for (const PointId w : link_) bring_in_star(w);
+  for (const auto& [w, to] : moved) {
+    rim_.push_back(w);
+    if (const int k = number_of(w); k != none) places_[index(k)] = to;
+  }
+  for (Piece& each : pieces_) each.is_settled = {};
+  for (const PointId w : rim_) bring_in_star(w);
   stack_.clear();
   for (int q = 0; q < static_cast<int>(pieces_.size()); ++q)
     if (piece(q).is_alive)

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "pliant/geometry/index.h"
 #include "pliant/mesh/mesh.h"
 #include "pliant/mesh/star.h"
 
@@ -18,7 +19,7 @@ namespace pliant {
 /// Complexity  a removal costs the squared degree of the vertex, plus the flips that follow; memory is reused
 class LogicalPatch {
  public:
-  using Corners = std::array<PointId, 3>;
+  using Corners = std::array<int, 3>;  ///< by the patch's own numbers of vertices
   enum class Outcome {
     done,
     on_curve,  ///< the vertex is on a curve, and nothing was done
@@ -31,10 +32,11 @@ class LogicalPatch {
     /// outer boundary), or -2 - h, where h is a half-edge of the mesh whose triangle was not copied yet.
     std::array<int, 3> beyond{};
     std::array<bool, 3> is_constrained{};
-    FaceId face = none;
-    TriangleId triangle = none;  ///< the triangle of the mesh that was copied
+    std::array<bool, 3> is_settled{};  ///< the side needs no flip as long as the triangles on it stay
     bool is_alive = false;
     bool is_new = false;  ///< a removal or flip has made it: it is no triangle of the mesh
+    FaceId face = none;
+    TriangleId triangle = none;  ///< the triangle of the mesh that was copied
   };
   static constexpr int wall = -1;
 
@@ -43,6 +45,8 @@ class LogicalPatch {
   /// Forgets everything. `measures` says whether bend() is wanted.
   void start(bool measures = false) {
     pieces_.clear();
+    vertices_.clear();
+    places_.clear();
     moved_.clear();
     squared_bend_ = 0;
     measures_ = measures;
@@ -52,11 +56,15 @@ class LogicalPatch {
   /// The same for a vertex that one curve passes through, as `remove_curve_vertex` would. `moved` lists the vertices of
   /// the curve that move, and where to.
   Outcome remove_on_curve(PointId v, const std::vector<std::pair<PointId, Point>>& moved);
-  /// Where a vertex is, or has moved to.
-  const Point& place(PointId v) const {
-    for (const auto& [moved, to] : moved_)
-      if (moved == v) return to;
-    return mesh_.point(v);
+  /// The vertices of all pieces, each once; a corner is the place of a vertex in this list.
+  const std::vector<PointId>& vertices() const { return vertices_; }
+  std::array<PointId, 3> vertices(const Piece& piece) const {
+    return {vertices_[index(piece.corners[0])], vertices_[index(piece.corners[1])], vertices_[index(piece.corners[2])]};
+  }
+  /// Where a corner is, or has moved to.
+  const Point& place(int corner) const { return places_[index(corner)]; }
+  std::array<Point, 3> places(const Piece& piece) const {
+    return {place(piece.corners[0]), place(piece.corners[1]), place(piece.corners[2])};
   }
   /// Has a corner of this piece moved?
   bool has_moved(const Piece& piece) const;
@@ -67,33 +75,49 @@ class LogicalPatch {
   double bend() const { return std::sqrt(squared_bend_); }
 
  private:
-  Piece& piece(int p) { return pieces_[static_cast<std::size_t>(p)]; }
+  static int outside_piece(HalfEdgeId h) { return -2 - as_int(h); }
+  static HalfEdgeId half_edge_of(int beyond) { return HalfEdgeId{-2 - beyond}; }
+  Piece& piece(int p) { return pieces_[index(p)]; }
+  int number_of(PointId v) const;
+  int add_vertex(PointId v);
+  Point place_of(PointId v) const;
   int bring_in(TriangleId t);
-  int side_towards(int p, PointId origin) const;
+  int bring_in_beside(int p, int side);
+  int copy(TriangleId t, const Corners& corners);
+  void join(int p, const std::array<bool, 3>& sides);
+  int side_towards(int p, int corner) const;
   void set_beyond(int p, int side, int beyond, bool is_constrained);
   int piece_at(PointId v);
-  int neighbor(int p, int side);
-  void turn(int p, PointId v);
+  int neighbor(int p, int side) {
+    const int beyond = piece(p).beyond[index(side)];
+    return beyond >= 0 ? beyond : bring_in_beside(p, side);
+  }
+  void turn(int p, int corner);
   Outcome gather_ring(PointId v);
-  bool gather_fan(int p, PointId v);
-  bool cut_ear(bool is_closed);
+  bool gather_fan(int p, int corner);
+  bool reduce_ring(bool is_closed, int least);
   void merge_ring();
   int merge_fan();
   void bring_in_star(PointId v);
   void flip(int p, int side);
+  bool wants_flip(int p, int side);
   Outcome flip_to_delaunay();
 
   const Mesh& mesh_;
   std::vector<Piece> pieces_;
+  std::vector<PointId> vertices_;
+  std::vector<Point> places_;
   std::vector<std::pair<PointId, Point>> moved_;
   Star star_;
   double squared_bend_ = 0;
   bool measures_ = false;
   std::vector<int> ring_;  // the pieces around a vertex, which is their corner 0, counter-clockwise
   std::vector<int> hole_;  // the pieces that were around the removed vertex
-  std::vector<PointId> link_;
+  // See reduce_ring:
+  std::vector<Point> link_;
+  std::vector<double> ears_;
+  std::vector<PointId> rim_;
   std::vector<int> stack_;
-  std::vector<std::pair<double, int>> ears_;
 };
 
 }  // namespace pliant

@@ -34,22 +34,22 @@ double accepted_shape(const QualityGoals& goals) {
 RemovalChain::RemovalChain(Mesh& mesh, const Limits& limits, const std::vector<bool>& slated)
     : mesh_(mesh), limits_(limits), slated_(slated), forecast_(mesh, limits.goals, limits.curves, slated) {}
 
-RemovalRefusal RemovalChain::foresee(PointId v) {
-  const RemovalRefusal refusal = forecast_.of(v);
+RemovalRefusal RemovalChain::foresee(PointId v, bool is_on_curve) {
+  const RemovalRefusal refusal = forecast_.of(v, is_on_curve);
   if (refusal.reason != nullptr)
-    for (const LogicalPatch::Piece& piece : forecast_.patch().pieces())
-      decided_by_.insert(decided_by_.end(), piece.corners.begin(), piece.corners.end());
+    decided_by_.insert(decided_by_.end(), forecast_.decided_by().begin(), forecast_.decided_by().end());
   return refusal;
 }
 
 RemovalRefusal RemovalChain::remove(PointId v, bool is_on_curve) {
   decided_by_.assign(1, v);
   if (limits_.uses_forecast)
-    if (const RemovalRefusal refusal = foresee(v); refusal.reason != nullptr) return refusal;
+    if (const RemovalRefusal refusal = foresee(v, is_on_curve); refusal.reason != nullptr) return refusal;
   Transaction transaction(mesh_);
   chained_.clear();
   around_.clear();
   along_curves_.clear();
+  curves_.clear();
   attacked_.clear();
   worst_before_ = 1;
   error_ = integral_change_ = 0;
@@ -78,6 +78,7 @@ RemovalRefusal RemovalChain::remove(PointId v, bool is_on_curve) {
     return remove(v, is_on_curve);
   }
   transaction.commit();
+  for (const CurveId c : curves_) forecast_.forget(c);
   return refusal;
 }
 
@@ -144,6 +145,8 @@ void RemovalChain::look_inside() {
 /// Adds the neighbours of v along its curve. The removal of a knot also moves vertices that are up to `degree` spans
 /// away, and changes the error that the removal of other knots would make up to twice as far.
 void RemovalChain::add_curve_neighbors(PointId v) {
+  for (const HalfEdgeId h : star_.outgoing)
+    if (mesh_.is_constrained(h)) curves_.push_back(mesh_.constraint_curve(mesh_.constraint(h)));
   chain_.assign(1, v);
   std::size_t first = 0, moved = 0;
   for (int k = 0; k <= 2 * mesh_.degree(); ++k) {

@@ -52,7 +52,7 @@ class RemovalChain {
   using Corners = std::array<PointId, 3>;
 
   CurveRemoval remove_one(PointId v, bool is_on_curve);
-  RemovalRefusal foresee(PointId v);
+  RemovalRefusal foresee(PointId v, bool is_on_curve);
   void note_corners(std::span<const TriangleId> triangles);
   void look_around();
   void look_inside();
@@ -69,6 +69,7 @@ class RemovalChain {
   std::function<void()> before_first_;
   std::vector<PointId> chained_, link_, chain_, along_curves_, decided_by_;
   std::vector<TriangleId> around_, changed_;
+  std::vector<CurveId> curves_;    // those that lose a vertex
   std::vector<Corners> attacked_;  // the elements that refine would have attacked before
   double worst_before_ = 1, error_ = 0, integral_change_ = 0;
   std::vector<HalfEdgeId> stack_;

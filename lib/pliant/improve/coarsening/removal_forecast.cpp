@@ -22,6 +22,13 @@ constexpr double parabola = (1 + slack) / 3, segment = 1.5;
 constexpr const char* too_large = "too large";
 constexpr const char* too_poor = "too poor";
 
+/// The curve that passes through a vertex.
+CurveId curve_at(const Mesh& mesh, PointId v) {
+  HalfEdgeId h = mesh.vertex_half_edge(v);
+  while (!mesh.is_constrained(h)) h = next(mesh.twin(h));  // clockwise; only edges on curves have no twin
+  return mesh.constraint_curve(mesh.constraint(h));
+}
+
 }  // namespace
 
 const char* attack_reason(const Mesh& mesh, TriangleId t, const QualityGoals& goals) {
@@ -53,8 +60,10 @@ RemovalForecast::RemovalForecast(Mesh& mesh, const QualityGoals& goals, const Cu
       tolerance_(tolerance),
       slated_(slated),
       patch_(mesh),
+      versions_(mesh.boundary().curves.size(), 0),
       least_sine_(std::sin(goals.min_angle * std::numbers::pi / 180) * (1 - slack)) {
   is_poor_asked_ = goals.min_angle > 0 && !goals.keeps_thin;  // what crosses a thin gap may be poor
+  is_size_asked_ = goals.bounds_area() || goals.size || goals.size_field != none;
   bounds_area_ = goals.max_area < HUGE_VAL ||
                  std::any_of(goals.face_area.begin(), goals.face_area.end(), [](double a) { return a < HUGE_VAL; });
 }
@@ -82,8 +91,8 @@ bool RemovalForecast::exceeds_area(FaceId face, const Point& a, const Point& b, 
   return least > (1 + slack) * goals_.area_bound(face);
 }
 
-bool RemovalForecast::is_surely_large(FaceId face, const LogicalPatch::Corners& corners, const Point& a, const Point& b,
-                                      const Point& c) const {
+bool RemovalForecast::is_surely_large(FaceId face, const std::array<PointId, 3>& corners, const Point& a,
+                                      const Point& b, const Point& c) const {
   if (exceeds_area(face, a, b, c, segment)) return true;
   if (!goals_.size && goals_.size_field == none) return false;
   double wanted = goals_.length_at((1.0 / 3) * (a + b + c), mesh_.time);
@@ -96,14 +105,42 @@ bool RemovalForecast::is_surely_large(FaceId face, const LogicalPatch::Corners& 
   return longest > (1 + slack) * size_slack * wanted;
 }
 
+/// What the curve of w has said to its removal before, if it refused for its own sake and has not changed since.
+const RemovalForecast::Refusal* RemovalForecast::known_refusal(PointId w) const {
+  if (index(w) >= refused_.size() || !foreseen_.curves.empty()) return nullptr;
+  const Refusal& known = refused_[index(w)];
+  return known.curve != none && known.version == versions_[index(known.curve)] ? &known : nullptr;
+}
+
+/// Asks the curve of w, which lies on one.
+Outcome RemovalForecast::ask_curve(PointId w) {
+  const bool is_as_in_mesh = foreseen_.curves.empty();
+  const Outcome outcome = foresee_curve_removal(mesh_, w, tolerance_, foreseen_).outcome;
+  if (is_as_in_mesh && (outcome == Outcome::exceeds_tolerance || outcome == Outcome::too_curved)) {
+    if (index(w) >= refused_.size()) refused_.resize(index(mesh_.point_slots()));
+    const CurveId curve = curve_at(mesh_, w);
+    refused_[index(w)] = {curve, versions_[index(curve)], outcome};
+  }
+  return outcome;
+}
+
 /// Removes w from the patch. `reason` is what its curve says to that, if it is on one: that does not depend on what the
 /// mesh around it has become in the chain.
-LogicalPatch::Outcome RemovalForecast::remove(PointId w, Outcome& reason) {
+LogicalPatch::Outcome RemovalForecast::remove(PointId w, bool is_surely_on_curve, Outcome& reason) {
+  if (const Refusal* known = known_refusal(w); known != nullptr) {
+    reason = known->outcome;
+    return LogicalPatch::Outcome::stuck;
+  }
+  if (is_surely_on_curve) {
+    // Most are refused by their curves, so that the mesh around need not be looked at.
+    reason = ask_curve(w);
+    if (reason != Outcome::done) return LogicalPatch::Outcome::stuck;
+  }
   reason = Outcome::not_removable;
   const LogicalPatch::Outcome outcome = patch_.remove_inner(w);
   if (outcome != LogicalPatch::Outcome::on_curve) return outcome;
-  reason = foresee_curve_removal(mesh_, w, tolerance_, foreseen_).outcome;
-  if (reason != Outcome::done) return LogicalPatch::Outcome::stuck;
+  if (!is_surely_on_curve) reason = ask_curve(w);
+  if (!is_surely_on_curve && reason != Outcome::done) return LogicalPatch::Outcome::stuck;
   reason = Outcome::not_removable;
   return patch_.remove_on_curve(w, foreseen_.moved);
 }
@@ -114,9 +151,9 @@ const char* RemovalForecast::reason_of(const LogicalPatch::Piece& piece) const {
   if (!piece.is_alive || !(piece.is_new || has_moved)) return nullptr;
   const Point &a = patch_.place(piece.corners[0]), &b = patch_.place(piece.corners[1]),
               &c = patch_.place(piece.corners[2]);
-  const char* reason = is_surely_large(piece.face, piece.corners, a, b, c) ? too_large
-                       : is_poor_asked_ && is_surely_poor(a, b, c)         ? too_poor
-                                                                           : nullptr;
+  const char* reason = is_size_asked_ && is_surely_large(piece.face, patch_.vertices(piece), a, b, c) ? too_large
+                       : is_poor_asked_ && is_surely_poor(a, b, c)                                    ? too_poor
+                                                                                                      : nullptr;
   if (reason == nullptr || piece.is_new) return reason;
   return attack_reason(mesh_, piece.triangle, goals_) ? nullptr : reason;
 }
@@ -129,15 +166,14 @@ bool RemovalForecast::leaves_too_large() const {
   for (const LogicalPatch::Piece& piece : patch_.pieces()) {
     if (!piece.is_alive || !piece.is_new) continue;
     if (piece.is_constrained[0] || piece.is_constrained[1] || piece.is_constrained[2]) return false;
-    const std::array<Point, 3> places{patch_.place(piece.corners[0]), patch_.place(piece.corners[1]),
-                                      patch_.place(piece.corners[2])};
+    const std::array<Point, 3> places = patch_.places(piece);
     any = any || (exceeds_area(piece.face, places[0], places[1], places[2], parabola) &&
-                  find_culprit(mesh_, piece.corners, places, slated_).vertex == none);
+                  find_culprit(mesh_, patch_.vertices(piece), places, slated_).vertex == none);
   }
   return any;
 }
 
-RemovalRefusal RemovalForecast::of(PointId v) {
+RemovalRefusal RemovalForecast::of(PointId v, bool is_on_curve) {
   patch_.start(bounds_area_);
   foreseen_.clear();
   Transaction trial(mesh_);        // the curves change; rolled back at the end
@@ -145,7 +181,7 @@ RemovalRefusal RemovalForecast::of(PointId v) {
   int removed = 0;
   for (PointId w = v;;) {
     Outcome refusal = Outcome::done;
-    const LogicalPatch::Outcome outcome = remove(w, refusal);
+    const LogicalPatch::Outcome outcome = remove(w, w == v && is_on_curve, refusal);
     if (outcome == LogicalPatch::Outcome::unknown) return otherwise;
     if (outcome == LogicalPatch::Outcome::stuck) {
       if (w == v) return {describe(refusal)};
@@ -160,9 +196,7 @@ RemovalRefusal RemovalForecast::of(PointId v) {
       if (reason == nullptr) continue;
       last = {reason, true};
       is_any_poor = is_any_poor || reason == too_poor;
-      const std::array<Point, 3> places{patch_.place(piece.corners[0]), patch_.place(piece.corners[1]),
-                                        patch_.place(piece.corners[2])};
-      const Culprit culprit = find_culprit(mesh_, piece.corners, places, slated_);
+      const Culprit culprit = find_culprit(mesh_, patch_.vertices(piece), patch_.places(piece), slated_);
       if (culprit.vertex == none) return last;
       first = std::min(first, culprit);
     }

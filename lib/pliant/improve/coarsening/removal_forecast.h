@@ -53,22 +53,25 @@ class RemovalForecast {
   RemovalForecast(Mesh& mesh, const QualityGoals& goals, const CurveTolerance& tolerance,
                   const std::vector<bool>& slated);
 
-  /// Why the removal of v is bound to fail, followed by removals of other slated vertices as long as refine would
-  /// attack what is left; no reason if it may succeed.
+  /// Why the removal of v (is it on a curve?) is bound to fail, followed by removals of other slated vertices as long
+  /// as refine would attack what is left; no reason if it may succeed.
   ///
   /// Complexity  the sum of the squared degrees of the vertices in the chain
-  RemovalRefusal of(PointId v);
-  /// The triangles that decided the last answer: by their corners, and by which of these were slated.
-  const LogicalPatch& patch() const { return patch_; }
+  RemovalRefusal of(PointId v, bool is_on_curve);
+  /// Says that a vertex was removed from a curve of the mesh, so that what the curve has refused may have changed.
+  void forget(CurveId c) { ++versions_[index(c)]; }
+  /// The vertices that decided the last answer: by the triangles around them, and by which of them are slated.
+  const std::vector<PointId>& decided_by() const { return patch_.vertices(); }
 
  private:
   const char* reason_of(const LogicalPatch::Piece& piece) const;
   bool is_surely_poor(const Point& a, const Point& b, const Point& c) const;
   bool exceeds_area(FaceId face, const Point& a, const Point& b, const Point& c, double share) const;
   bool leaves_too_large() const;
-  bool is_surely_large(FaceId face, const LogicalPatch::Corners& corners, const Point& a, const Point& b,
+  bool is_surely_large(FaceId face, const std::array<PointId, 3>& corners, const Point& a, const Point& b,
                        const Point& c) const;
-  LogicalPatch::Outcome remove(PointId w, Outcome& reason);
+  LogicalPatch::Outcome remove(PointId w, bool is_surely_on_curve, Outcome& reason);
+  Outcome ask_curve(PointId w);
 
   Mesh& mesh_;  // left as it was by each question
   const QualityGoals& goals_;
@@ -76,8 +79,18 @@ class RemovalForecast {
   const std::vector<bool>& slated_;
   LogicalPatch patch_;
   ForeseenCurves foreseen_;
+  /// What its curve said when it refused the removal of a vertex: many are asked for again and again, in chains that
+  /// start at the vertices around.
+  struct Refusal {
+    CurveId curve = none;
+    int version = 0;  ///< of the curve then
+    Outcome outcome = Outcome::done;
+  };
+  const Refusal* known_refusal(PointId w) const;
+  std::vector<Refusal> refused_;  // by point slot
+  std::vector<int> versions_;     // by curve: how often it was forgotten
   double least_sine_ = 0;
-  bool bounds_area_ = false, is_poor_asked_ = false;
+  bool bounds_area_ = false, is_size_asked_ = false, is_poor_asked_ = false;
 };
 
 }  // namespace pliant

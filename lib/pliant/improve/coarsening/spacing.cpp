@@ -43,6 +43,64 @@ void visit_stretches(const CurveChain& chain, const std::vector<VertexRole>& rol
   if (chain.closed && first != last) visit(last, first);
 }
 
+/// Makes wanted lengths Lipschitz: each becomes the least that any vertex asks for, plus `gradation` times the way from
+/// there. Sweeps to and fro settle most vertices, since numbers that are near belong to vertices that are near;
+/// Dijkstra's algorithm does the rest. Any order ends with the same lengths.
+class Grading {
+ public:
+  Grading(const VertexGraph& graph, double gradation, std::vector<double>& wanted)
+      : graph_(graph), gradation_(gradation), wanted_(wanted), is_due_(index(graph.count()), 0) {}
+
+  void run() {
+    const auto mark = [this](int k) { is_due_[index(k)] = 1; };
+    for (int k = 0; k < graph_.count(); ++k) visit(k, mark);
+    for (int sweep = 0; sweep < sweeps; ++sweep)
+      for (int i = 0; i < graph_.count(); ++i) {
+        const int k = sweep % 2 == 0 ? graph_.count() - 1 - i : i;
+        if (is_due_[index(k)] == 0) continue;
+        is_due_[index(k)] = 0;
+        visit(k, mark);
+      }
+    for (int k = 0; k < graph_.count(); ++k)
+      if (is_due_[index(k)] != 0) enqueue(k);
+    while (!queue_.empty()) {
+      const auto [wanted, k] = queue_.top();
+      queue_.pop();
+      if (wanted == wanted_[index(k)]) visit(k, [this](int near) { enqueue(near); });
+    }
+  }
+
+ private:
+  static constexpr int sweeps = 3;
+  using Item = std::pair<double, int>;
+
+  void enqueue(int k) { queue_.push({wanted_[index(k)], k}); }
+
+  /// Lowers what the neighbours of k want, if that is too much; calls `lowered` with each of these.
+  template <class Lowered>
+  void visit(int k, const Lowered& lowered) {
+    const Point place = graph_.place(k);
+    const double least = wanted_[index(k)], square = gradation_ * gradation_;
+    if (!(least < HUGE_VAL)) return;
+    for (const int near : graph_.around(k)) {
+      double& wanted = wanted_[index(near)];
+      // Most edges are far too long to matter, as their squares tell without a root.
+      const double room = std::max(wanted - least, 0.0), squared = squared_length(graph_.place(near) - place);
+      if (square * squared >= room * room * (1 + 1e-9) && squared > 1e-280) continue;
+      const double graded = least + gradation_ * quick_distance(place, graph_.place(near));
+      if (graded >= wanted) continue;
+      wanted = graded;
+      lowered(near);
+    }
+  }
+
+  const VertexGraph& graph_;
+  double gradation_;
+  std::vector<double>& wanted_;  // by number in the graph
+  std::vector<char> is_due_;     // its wanted length has been lowered since it was last visited
+  std::priority_queue<Item, std::vector<Item>, std::greater<>> queue_;
+};
+
 }  // namespace
 
 std::vector<VertexRole> vertex_roles(const Mesh& mesh, const std::vector<CurveChain>& chains,
@@ -65,10 +123,12 @@ std::vector<VertexRole> vertex_roles(const Mesh& mesh, const std::vector<CurveCh
 
 std::vector<double> wanted_spacing(const Mesh& mesh, const VertexGraph& graph, const std::vector<CurveChain>& chains,
                                    const std::vector<VertexRole>& roles, const QualityGoals& goals,
-                                   const std::vector<double>& bounds, double gradation) {
-  std::vector<double> spacing = bounds;
-  spacing.resize(index(mesh.point_slots()), HUGE_VAL);
-  const auto lower = [&spacing](PointId v, double wanted) { spacing[index(v)] = std::min(spacing[index(v)], wanted); };
+                                   std::vector<double> bounds, double gradation) {
+  std::vector<double> spacing = std::move(bounds);
+  const auto lower = [&](PointId v, double wanted) {
+    double& here = spacing[index(graph.number(v))];
+    here = std::min(here, wanted);
+  };
   std::vector<double> by_area;  // of each face
   for (FaceId f = 0; f < static_cast<FaceId>(mesh.boundary().faces.size()); ++f)
     by_area.push_back(goals.length_for_area(f));
@@ -78,40 +138,14 @@ std::vector<double> wanted_spacing(const Mesh& mesh, const VertexGraph& graph, c
         for (int c = 0; c < 3; ++c)
           lower(mesh.corner(t, c), std::min(by_area[index(mesh.face(t))], goals.length_by_field(mesh, t, c)));
   if (goals.size)
-    for (PointId v = 0; v < mesh.point_slots(); ++v)
-      if (mesh.is_vertex(v)) lower(v, goals.length_at(mesh.point(v), mesh.time));
+    for (int k = 0; k < graph.count(); ++k) lower(graph.vertex(k), goals.length_at(graph.place(k), mesh.time));
   for (const CurveChain& chain : chains)  // the spacing of the vertices that the geometry needs
     visit_stretches(chain, roles, [&](PointId v, PointId w) {
       const double apart = distance(mesh.point(v), mesh.point(w));
       lower(v, apart);
       lower(w, apart);
     });
-
-  // Dijkstra's algorithm from all vertices at once makes the wanted lengths Lipschitz.
-  using Item = std::pair<double, int>;
-  std::priority_queue<Item, std::vector<Item>, std::greater<>> queue;
-  const auto spread = [&](double wanted, int k) {
-    const PointId v = graph.vertex(k);
-    for (const int near : graph.around(k)) {
-      const PointId w = graph.vertex(near);
-      const double room = (spacing[index(w)] - wanted) / gradation;
-      if (!(room > 0)) continue;
-      // Most edges are far too long to matter, as their squares tell without a root.
-      const double squared = squared_length(mesh.point(w) - mesh.point(v));
-      if (squared > 1e-280 && squared > room * room * (1 + 1e-9)) continue;
-      const double graded = wanted + gradation * quick_distance(mesh.point(v), mesh.point(w));
-      if (graded >= spacing[index(w)]) continue;
-      spacing[index(w)] = graded;
-      queue.push({graded, near});
-    }
-  };
-  for (int k = 0; k < graph.count(); ++k)
-    if (const double wanted = spacing[index(graph.vertex(k))]; wanted < HUGE_VAL) spread(wanted, k);
-  while (!queue.empty()) {
-    const auto [wanted, k] = queue.top();
-    queue.pop();
-    if (wanted == spacing[index(graph.vertex(k))]) spread(wanted, k);
-  }
+  Grading(graph, gradation, spacing).run();
   const double widest = mesh.size();
   for (double& wanted : spacing) wanted = std::min(wanted, widest);
   return spacing;

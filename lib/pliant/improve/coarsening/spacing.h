@@ -22,14 +22,14 @@ enum class VertexRole : char {
 /// Complexity  O(triangles + n log n) with n control points
 std::vector<VertexRole> vertex_roles(const Mesh& mesh, const std::vector<CurveChain>& chains, double polygon_tolerance);
 
-/// The wanted length of edges at each vertex, by point slot: the least of what the goals ask for by size and area, of
-/// `bounds` (by point slot; empty: none), and at `kept` vertices of the distance of the next kept ones along their
+/// The wanted length of edges at each vertex, by its number in the graph: the least of what the goals ask for by size
+/// and area, of `bounds` (by the same number), and at `kept` vertices of the distance of the next kept ones along their
 /// curves. Then it is made Lipschitz: along an edge it grows by at most `gradation` times the edge's length. It is at
 /// most the size of the mesh.
 ///
 /// Complexity  O(n log n) with n vertices
 std::vector<double> wanted_spacing(const Mesh& mesh, const VertexGraph& graph, const std::vector<CurveChain>& chains,
                                    const std::vector<VertexRole>& roles, const QualityGoals& goals,
-                                   const std::vector<double>& bounds, double gradation);
+                                   std::vector<double> bounds, double gradation);
 
 }  // namespace pliant

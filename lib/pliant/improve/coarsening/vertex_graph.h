@@ -19,6 +19,7 @@ class VertexGraph {
       if (!mesh.is_vertex(v)) continue;
       numbers_[index(v)] = count();
       vertices_.push_back(v);
+      places_.push_back(mesh.point(v));
     }
     const auto visit = [&](const auto& edge) {
       for (TriangleId t = 0; t < mesh.triangle_slots(); ++t) {
@@ -40,6 +41,7 @@ class VertexGraph {
 
   int count() const { return static_cast<int>(vertices_.size()); }
   PointId vertex(int k) const { return vertices_[index(k)]; }
+  const Point& place(int k) const { return places_[index(k)]; }
   int number(PointId v) const { return numbers_[index(v)]; }  ///< none for points that are no vertices
   std::span<const int> around(int k) const {
     const std::size_t first = index(starts_[index(k)]);
@@ -48,6 +50,7 @@ class VertexGraph {
 
  private:
   std::vector<PointId> vertices_;
+  std::vector<Point> places_;
   std::vector<int> numbers_, starts_, neighbors_;
 };
 
