@@ -135,6 +135,14 @@ TEST_CASE("conditions that leave a constant free are refused with the curves tha
   CHECK_THROWS_WITH(diffusion.solve_steady(), Catch::Contains("\"value\" or \"robin\"") && Catch::Contains("\"west\""));
   add_condition(problem, mesh.boundary(), "east", Kind::robin, Coefficient(1));
   CHECK_NOTHROW(Diffusion(problem, mesh, {}).solve_steady());
+  // Where nothing is transferred nothing is held, nor are faces connected.
+  problem.conditions.back().first = Coefficient(0);
+  CHECK_THROWS_AS(Diffusion(problem, mesh, {}).solve_steady(), InputError);
+  problem.conditions.back().first = Coefficient(1);
+  add_condition(problem, mesh.boundary(), "middle", Kind::jump, Coefficient(0));
+  CHECK_THROWS_WITH(Diffusion(problem, mesh, {}).solve_steady(), Catch::Contains("\"left\""));
+  problem.conditions.back().first = Coefficient(1);
+  CHECK_NOTHROW(Diffusion(problem, mesh, {}).solve_steady());
 }
 
 TEST_CASE("a coefficient that is not finite or out of range is refused with its place and time", "[fem]") {
