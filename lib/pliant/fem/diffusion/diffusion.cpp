@@ -201,7 +201,7 @@ void Diffusion::solve_steady() {
     fluxes_ = std::make_unique<CurveFluxes>(problem_, mesh_);
     std::vector<double> unused(n);
     equation_.apply(now, element_values(equation_.space(), x), 0, unused, 1, unused, fluxes_.get());
-    curve_fluxes_ = fluxes_->fluxes();
+    curve_totals_ = fluxes_->totals();
   }
   put(x);
 }
@@ -216,8 +216,9 @@ void Diffusion::step(std::span<const Point> from, double t0) {
   else
     step_by_derivatives(moves ? from : std::span<const Point>(points_), t0, moves);
   if (!fluxes_) return;
-  curve_fluxes_ = fluxes_->fluxes();
-  for (double& each : curve_fluxes_) each /= mesh_.time - t0;
+  curve_totals_ = fluxes_->totals();
+  for (double& each : curve_totals_.fluxes) each /= mesh_.time - t0;
+  for (double& each : curve_totals_.freed) each /= mesh_.time - t0;
 }
 
 namespace {
