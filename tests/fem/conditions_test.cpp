@@ -126,6 +126,24 @@ TEST_CASE("fluxes through curves balance the source in each face", "[fem][oracle
   CHECK(outside_flux + freed[0] + freed[1] == Approx(0).margin(1e-12));
 }
 
+TEST_CASE("what a condition sets free between two faces is told, and balances both of them", "[fem][oracle]") {
+  const Kind kind = GENERATE(Kind::value, Kind::flux, Kind::robin);
+  const int p = GENERATE(1, 3);
+  CAPTURE(p, static_cast<int>(kind));
+  Mesh mesh(mapped_square(p, 4, bend_halves, true));
+  DiffusionProblem problem = plain_problem(mesh.boundary());
+  problem.materials[1].diffusivity = {Coefficient(3)};
+  add_condition(problem, mesh.boundary(), "west", Kind::value, Coefficient(0));
+  add_condition(problem, mesh.boundary(), "east", Kind::value, Coefficient(0));
+  add_condition(problem, mesh.boundary(), "middle", kind, Coefficient(2), Coefficient(5));
+  const PassReport report = solve(problem, mesh);
+  // On the middle, 1/2 away from both ends, c is such that 2 c goes to the left and 6 c to the right.
+  const double middle = kind == Kind::value ? 2 : kind == Kind::flux ? 2.0 / 8 : 2 * 5 / (8.0 + 2);
+  CHECK(value_of(report, "flux:west") == Approx(-2 * middle).epsilon(1e-10));
+  CHECK(value_of(report, "flux:east") == Approx(-6 * middle).epsilon(1e-10));
+  CHECK(value_of(report, "freed:middle") == Approx(8 * middle).epsilon(1e-10));
+}
+
 TEST_CASE("conditions that leave a constant free are refused with the curves that want one", "[fem]") {
   Mesh mesh(mapped_square(2, 4, bend, true));
   DiffusionProblem problem = plain_problem(mesh.boundary());
@@ -134,6 +152,14 @@ TEST_CASE("conditions that leave a constant free are refused with the curves tha
   CHECK_THROWS_AS(diffusion.solve_steady(), InputError);
   CHECK_THROWS_WITH(diffusion.solve_steady(), Catch::Contains("\"value\" or \"robin\"") && Catch::Contains("\"west\""));
   add_condition(problem, mesh.boundary(), "east", Kind::robin, Coefficient(1));
+  CHECK_NOTHROW(Diffusion(problem, mesh, {}).solve_steady());
+  // Where nothing is transferred nothing is held, nor are faces connected.
+  problem.conditions.back().first = Coefficient(0);
+  CHECK_THROWS_AS(Diffusion(problem, mesh, {}).solve_steady(), InputError);
+  problem.conditions.back().first = Coefficient(1);
+  add_condition(problem, mesh.boundary(), "middle", Kind::jump, Coefficient(0));
+  CHECK_THROWS_WITH(Diffusion(problem, mesh, {}).solve_steady(), Catch::Contains("\"left\""));
+  problem.conditions.back().first = Coefficient(1);
   CHECK_NOTHROW(Diffusion(problem, mesh, {}).solve_steady());
 }
 

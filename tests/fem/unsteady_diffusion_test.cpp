@@ -111,6 +111,21 @@ TEST_CASE("without fluxes the total stays to rounding, on a mesh that moves, too
   CHECK(total_of(diffusion) == Approx(total).epsilon(1e-14));
 }
 
+TEST_CASE("without fluxes the total stays to rounding in long steps", "[fem][property]") {
+  const double dt = GENERATE(1e2, 1e4, 1e5);
+  CAPTURE(dt);
+  Mesh mesh(mapped_square(2, 4, bend, true));
+  DiffusionProblem problem = plain_problem(mesh.boundary());
+  problem.materials[1].diffusivity = {Coefficient(10)};
+  problem.initial[0] = coefficient([](double x, double y, double) { return 2 + x * y; });
+  DiffusionOptions options;
+  options.scheme = GENERATE(TimeScheme::sdirk2, TimeScheme::euler);
+  Diffusion diffusion(problem, mesh, options);
+  const double total = total_of(diffusion);
+  step(diffusion, mesh, {}, dt);
+  CHECK(total_of(diffusion) == Approx(total).epsilon(1e-14));
+}
+
 TEST_CASE("what enters through a curve is what the total grows by", "[fem][property]") {
   Mesh mesh(mapped_square(2, 4, bend, true));
   DiffusionProblem problem = plain_problem(mesh.boundary());

@@ -60,6 +60,22 @@ run 0 evolve -q --steps 2 "diffuse --problem heat.json --vx='4*sin(3*y)' --vy='4
   coarsen | smoothcurves" mesh.json
 run 0 evolve -q --steps 2 'advect --vx=-y --vy=x --dt 0.1 | diffuse --problem poisson.json --steady' mesh.json
 
+# A slit, one face on both sides, sets free what its condition says: 1 for each length, of 0.4.
+cat >slit.json <<'END'
+{"format": "pliant-boundary", "version": 1, "vertices": [0, 0, 1, 0, 1, 1, 0, 1, 0.3, 0.5, 0.7, 0.5], "faces": [{"name": "f"}],
+ "curves": [
+ {"name": "wall", "degree": 1, "closed": false, "knots": [0, 0, 1, 1], "points": [0, 0, 1, 0], "start": 0, "end": 1, "left": 0},
+ {"name": "wall", "degree": 1, "closed": false, "knots": [0, 0, 1, 1], "points": [1, 0, 1, 1], "start": 1, "end": 2, "left": 0},
+ {"name": "wall", "degree": 1, "closed": false, "knots": [0, 0, 1, 1], "points": [1, 1, 0, 1], "start": 2, "end": 3, "left": 0},
+ {"name": "wall", "degree": 1, "closed": false, "knots": [0, 0, 1, 1], "points": [0, 1, 0, 0], "start": 3, "end": 0, "left": 0},
+ {"name": "slit", "degree": 1, "closed": false, "knots": [0, 0, 1, 1], "points": [0.3, 0.5, 0.7, 0.5], "start": 4, "end": 5,
+  "left": 0, "right": 0}]}
+END
+problem wire.json '{"field": "u", "materials": {"*": {}}, "conditions": [{"curve": "wall", "value": 0}, {"curve": "slit", "flux": 1}]}'
+bspline2mesh --max-area 0.02 slit.json >slit_mesh.json
+run 0 diffuse --problem wire.json --steady --report r slit_mesh.json
+holds "abs($(value flux:slit) - 0.4) < 1e-12 and abs($(value flux:wall) + 0.4) < 1e-12"
+
 # Refusals: usage, problems that do not fit, elements, solvers.
 run 2 diffuse --problem heat.json mesh.json
 says '--dt is required'

@@ -92,8 +92,9 @@ void CurveFluxes::add_edge(HalfEdgeId h, double factor, std::span<const double> 
         ->known += factor * enters[index(k)];
 }
 
-std::vector<double> CurveFluxes::fluxes() const {
-  std::vector<double> fluxes(mesh_.boundary().curves.size(), 0.0);
+CurveFluxes::Totals CurveFluxes::totals() const {
+  const std::size_t curves = mesh_.boundary().curves.size();
+  Totals totals{std::vector<double>(curves, 0.0), std::vector<double>(curves, 0.0)};
   for (std::size_t first = 0, last = 0; first < sides_.size(); first = last) {
     double rest = residuals_[index(sides_[first].place)], length = 0;
     for (last = first; last < sides_.size() && sides_[last].place == sides_[first].place; ++last) {
@@ -105,15 +106,18 @@ std::vector<double> CurveFluxes::fluxes() const {
     for (std::size_t k = first; k < last; ++k) {
       const Side& side = sides_[k];
       const Curve& curve = mesh_.boundary().curves[index(side.curve)];
-      const bool between = curve.left != outside && curve.right != outside;
-      if (between && !side.is_left) continue;
+      const bool between = curve.left != outside && curve.right != outside && curve.left != curve.right;
       const double enters = is_given(problem_, mesh_, side.curve) ? side.known
                             : length > 0                          ? rest * (side.length / length)
                                                                   : 0;
-      fluxes[index(side.curve)] += between ? -enters : enters;
+      if (!between)
+        totals.fluxes[index(side.curve)] += enters;
+      else if (side.is_left)
+        totals.fluxes[index(side.curve)] -= enters;
+      if (between) totals.freed[index(side.curve)] += enters;
     }
   }
-  return fluxes;
+  return totals;
 }
 
 }  // namespace pliant

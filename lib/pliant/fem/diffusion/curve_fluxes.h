@@ -24,10 +24,14 @@ class CurveFluxes {
   /// Adds what a condition lets into the face of a half-edge through its edge, by its points from origin to target.
   void add_edge(HalfEdgeId h, double factor, std::span<const double> enters);
 
-  /// For each curve what enters through it from outside; through a curve between two faces, what goes from its left to
-  /// its right.
-  /// Requires    as `lengths`: the integrals of the edges' basis functions, in the order of `half_edges()`
-  std::vector<double> fluxes() const;
+  struct Totals {
+    /// For each curve what enters through it from outside, or from a slit on both of its sides; through a curve between
+    /// two faces, what leaves the face on its left.
+    std::vector<double> fluxes;
+    /// For each curve between two faces, what enters both of them: what a condition sets free there.
+    std::vector<double> freed;
+  };
+  Totals totals() const;
 
  private:
   struct Side {  // a control point of a curve, as one of the faces beside it sees it

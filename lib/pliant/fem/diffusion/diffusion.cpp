@@ -48,6 +48,11 @@ double sum_of(std::span<const double> values) {
   return sum;
 }
 
+void remove_mean(std::span<double> values) {
+  const double mean = sum_of(values) / static_cast<double>(values.size());
+  for (double& value : values) value -= mean;
+}
+
 }  // namespace
 
 Diffusion::Diffusion(const DiffusionProblem& problem, Mesh& mesh, const DiffusionOptions& options)
@@ -147,9 +152,10 @@ void Diffusion::solve(std::vector<double> b, std::span<double> x, std::optional<
   worst_residual_ = std::max(worst_residual_, outcome.residual);
   if (!outcome.converged) throw NoSolution(outcome.why);
   if (!shift || !options_.conservative || !equation_.is_closed()) return;
-  // The solver leaves a residual; its sum is an amount that came from nowhere, which a constant takes away again.
+  // The solver leaves a residual; its sum is an amount that came from nowhere, which a constant takes away again. The
+  // stiffness has no part in it: its columns sum to zero, but for rounding, which a long step would multiply.
   std::vector<double> residual(b.size());
-  multiply(matrix_, x, residual);
+  multiply(system_.mass, x, residual);
   for (std::size_t i = 0; i < b.size(); ++i) residual[i] = b[i] - residual[i];
   const double lacks = sum_of(residual) / sum_of(system_.mass.values);
   for (double& each : x) each += lacks;
@@ -195,7 +201,7 @@ void Diffusion::solve_steady() {
     fluxes_ = std::make_unique<CurveFluxes>(problem_, mesh_);
     std::vector<double> unused(n);
     equation_.apply(now, element_values(equation_.space(), x), 0, unused, 1, unused, fluxes_.get());
-    curve_fluxes_ = fluxes_->fluxes();
+    curve_totals_ = fluxes_->totals();
   }
   put(x);
 }
@@ -210,8 +216,9 @@ void Diffusion::step(std::span<const Point> from, double t0) {
   else
     step_by_derivatives(moves ? from : std::span<const Point>(points_), t0, moves);
   if (!fluxes_) return;
-  curve_fluxes_ = fluxes_->fluxes();
-  for (double& each : curve_fluxes_) each /= mesh_.time - t0;
+  curve_totals_ = fluxes_->totals();
+  for (double& each : curve_totals_.fluxes) each /= mesh_.time - t0;
+  for (double& each : curve_totals_.freed) each /= mesh_.time - t0;
 }
 
 namespace {
@@ -257,6 +264,7 @@ void Diffusion::step_conservatively(std::span<const Point> from, double t0, bool
     const Configuration middle{then, t0 + gamma * dt};
     solve_stage(middle, last);
     multiply(system_.stiffness, x, rates);
+    if (equation_.is_closed()) remove_mean(rates);  // it is rounding, which a long step would multiply
     for (std::size_t i = 0; i < x.size(); ++i) amounts[i] += (dt - last) * (system_.load[i] - rates[i]);
     note_fluxes(middle, 0, dt - last);
   }

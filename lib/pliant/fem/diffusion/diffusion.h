@@ -85,7 +85,7 @@ class Diffusion {
   bool is_assembled_ = false;             // the system is the one that all steps have
   std::optional<double> prepared_shift_;  // of the matrix that the solver has, if the system is that one
   std::unique_ptr<CurveFluxes> fluxes_;
-  std::vector<double> curve_fluxes_;
+  CurveFluxes::Totals curve_totals_;
   double worst_residual_ = 0;
   long solves_ = 0, iterations_ = 0;
 };

@@ -57,14 +57,22 @@ void Diffusion::report(PassReport& report) const {
   const auto [least, greatest] = extremes();
   report.add("min", least);
   report.add("max", greatest);
-  for (std::size_t c = 0; c < curve_fluxes_.size(); ++c) {
+  const auto add_for_curve = [&](const std::string& what, std::size_t c, double value) {
     const std::string& name = mesh_.boundary().curves[c].name;
-    const std::string key = "flux:" + (name.empty() ? std::to_string(c) : name);
+    const std::string key = what + (name.empty() ? std::to_string(c) : name);
     const auto found = std::ranges::find(report.values, key, &std::pair<std::string, double>::first);
     if (found != report.values.end())  // curves of one name count together
-      found->second += area_unit * curve_fluxes_[c];
+      found->second += area_unit * value;
     else
-      report.add(key, area_unit * curve_fluxes_[c]);
+      report.add(key, area_unit * value);
+  };
+  for (std::size_t c = 0; c < curve_totals_.fluxes.size(); ++c) add_for_curve("flux:", c, curve_totals_.fluxes[c]);
+  for (std::size_t c = 0; c < curve_totals_.freed.size(); ++c) {
+    const Curve& curve = mesh_.boundary().curves[c];
+    const int condition = problem_.condition_of_curve[c];
+    if (condition != none && problem_.conditions[index(condition)].kind != DiffusionCondition::Kind::jump &&
+        curve.left != outside && curve.right != outside && curve.left != curve.right)
+      add_for_curve("freed:", c, curve_totals_.freed[c]);
   }
 }
 

@@ -95,12 +95,18 @@ void DiffusionEquation::require_determined() const {
   for (TriangleId t = 0; t < mesh_.triangle_slots(); ++t)
     for (const int i : space_.of(t)) unite(i, space_.of(t)[0]);
   const std::size_t m = 2 * (index(mesh_.degree()) + 1);
-  for (std::size_t k = 0; k < jump_members_.size(); ++k) unite(jump_members_[k], jump_members_[k - k % m]);
+  const auto lets_through = [](const DiffusionCondition& condition) { return condition.first.constant() != 0.0; };
+  for (std::size_t k = 0; k < jump_members_.size(); ++k) {
+    const CurveId c = mesh_.constraint_curve(mesh_.constraint(jump_edges_[k / m]));
+    if (lets_through(problem_.conditions[index(problem_.condition_of_curve[index(c)])]))
+      unite(jump_members_[k], jump_members_[k - k % m]);
+  }
   std::vector<char> held(parent.size(), 0);
   for (std::size_t i = 0; i < fixed_.size(); ++i)
     if (fixed_[i] != 0) held[index(root(static_cast<int>(i)))] = 1;
   for_each_conditioned_edge([&](HalfEdgeId, const DiffusionCondition& condition, std::span<const int> unknowns) {
-    if (condition.kind == DiffusionCondition::Kind::robin) held[index(root(unknowns[0]))] = 1;
+    if (condition.kind == DiffusionCondition::Kind::robin && lets_through(condition))
+      held[index(root(unknowns[0]))] = 1;
   });
   for (TriangleId t = 0; t < mesh_.triangle_slots(); ++t) {
     if (held[index(root(space_.of(t)[0]))] != 0) continue;
