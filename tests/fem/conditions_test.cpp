@@ -187,9 +187,9 @@ TEST_CASE("a coefficient that is not finite or out of range is refused with its 
   };
   using Catch::Contains;
   CHECK(refusal([](DiffusionProblem&) {}).empty());
-  const auto hole = [](double x, double, double) { return x < 0.5 ? 1.0 : NAN; };
+  const auto hole = [](double x, double, double) { return x < 0.5 ? 1.0 : std::copysign(NAN, -1.0); };
   CHECK_THAT(refusal([&](auto& p) { p.materials[0].source = coefficient(hole, "the source"); }),
-             Contains("the source") && Contains("nan") && Contains("time 2.5") && Contains("finite"));
+             Contains("the source is nan at") && Contains("time 2.5") && Contains("finite"));
   const auto sink = [](double x, double, double) { return x - 0.5; };
   CHECK_THAT(refusal([&](auto& p) { p.materials[0].diffusivity = {coefficient(sink, "k")}; }), Contains("positive"));
   CHECK_THAT(refusal([&](auto& p) { p.materials[0].capacity = coefficient(sink, "rho"); }), Contains("positive"));
