@@ -155,7 +155,7 @@ void Diffusion::solve_around_mean(std::vector<double> b, std::span<double> x) {
   // left has no part along constants, for which the matrix of a long step is singular up to rounding.
   std::vector<double> weights(b.size());
   multiply(system_.mass, std::vector<double>(b.size(), 1.0), weights);
-  const double amount = sum_of(b), weight = sum_of(weights), size = norm(b);
+  const double weight = sum_of(weights), size = norm(b);
   double mean = 0;
   for (int k = 0; k < 2; ++k) {  // once more for what rounding leaves
     const double part = sum_of(b) / weight;
@@ -166,12 +166,14 @@ void Diffusion::solve_around_mean(std::vector<double> b, std::span<double> x) {
   const double part_of_size = size > 0 ? norm(b) / size : 1;
   const double tolerance = part_of_size > solver_tolerance ? solver_tolerance / part_of_size : 1;
   take_note(solver_->solve(b, x, tolerance), part_of_size);
+  if (options_.conservative) {
+    // The solver leaves a residual; its sum is an amount that came from nowhere, which a constant takes away again.
+    // Summed are differences: those of two sums would leave more by rounding than the solver does.
+    multiply(system_.mass, x, weights);
+    for (std::size_t i = 0; i < b.size(); ++i) b[i] -= weights[i];
+    mean += sum_of(b) / weight;
+  }
   for (double& each : x) each += mean;
-  if (!options_.conservative) return;
-  // The solver leaves a residual; its sum is an amount that came from nowhere, which a constant takes away again.
-  double is_there = 0;
-  for (std::size_t i = 0; i < x.size(); ++i) is_there += weights[i] * x[i];
-  for (double& each : x) each += (amount - is_there) / weight;
 }
 
 void Diffusion::take_note(const SolveOutcome& outcome, double part_of_size) {
