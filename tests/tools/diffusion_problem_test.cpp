@@ -187,6 +187,7 @@ TEST_CASE("unknown names in expressions are errors that list variables, paramete
   refused("2*z", {"\"z\" is no name", "character 3", "variables are x, y and t; parameters: \"k\" and \"h\"; fields: ",
                   "\"vel_y\"", "\"many_4\"", "\"u\""});
   refused("2*sn(x)", {"\"sn\" is no name", "is \"sin\" meant?"});
+  refused("sin", {"the function is written sin(...)"});
   refused("vel_z", {"is \"vel_x\" meant?"});
   refused("vel", {"the field \"vel\" has 2 components, vel_x and vel_y"});
   refused("1 + many", {"the field \"many\" has 4 components, many_1 to many_4"});

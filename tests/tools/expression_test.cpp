@@ -39,6 +39,13 @@ TEST_CASE("what is no expression is refused with its place", "[expression]") {
   CHECK_THROWS_WITH(Expression("sin(x"), Contains("parenthesis"));
   CHECK_THROWS_WITH(Expression("1, 2"), Contains("one value"));
   CHECK_THROWS_WITH(Expression("nan"), Contains("nan"));
+  // A text of any length has a message that can be read.
+  try {
+    Expression("1+" + std::string(100'000, '1') + "q");
+    FAIL("is accepted");
+  } catch (const std::invalid_argument& error) {
+    CHECK(std::string(error.what()).size() < 500);
+  }
   CHECK_THROWS_AS(Expression("min()"), std::invalid_argument);
   CHECK_THROWS_AS(Expression("\"text\""), std::invalid_argument);
 }

@@ -41,8 +41,16 @@ std::string without_position(const std::string& message) {
   return message;
 }
 
+/// The text, or as much of its beginning as a message has place for.
+std::string shortened(const std::string& text) {
+  std::size_t end = 200;
+  if (text.size() <= end) return text;
+  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) --end;  // not within a character
+  return text.substr(0, end) + "...";
+}
+
 [[noreturn]] void refuse(const std::string& text, const std::string& why, int position) {
-  std::string message = "\"" + text + "\": " + why;
+  std::string message = "\"" + shortened(text) + "\": " + why;
   if (position >= static_cast<int>(text.size()))
     message += " (at the end)";
   else if (position >= 0)
@@ -57,6 +65,7 @@ std::string suggest(const std::string& token, const ExpressionNames& names) {
   for (const auto& constant : names.constants) candidates.push_back(constant.first);
   candidates.insert(candidates.end(), expression_functions().begin(), expression_functions().end());
   const std::string nearest = nearest_word(token, candidates);
+  if (nearest == token) return "; the function is written " + token + "(...)";
   return nearest.empty() ? "" : "; is \"" + nearest + "\" meant?";
 }
 

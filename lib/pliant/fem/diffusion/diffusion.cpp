@@ -146,19 +146,41 @@ void Diffusion::solve(std::vector<double> b, std::span<double> x, std::optional<
           b[i] -= (shift ? system_.mass.values[index(k)] + *shift * stiffness : stiffness) * x[j];
         }
       }
-  const SolveOutcome outcome = solver_->solve(b, x, solver_tolerance);
+  if (shift && equation_.is_closed()) return solve_around_mean(std::move(b), x);
+  take_note(solver_->solve(b, x, solver_tolerance), 1);
+}
+
+void Diffusion::solve_around_mean(std::vector<double> b, std::span<double> x) {
+  // The columns of the stiffness sum to zero, so that the mean of the solution is known before. Without it, what is
+  // left has no part along constants, for which the matrix of a long step is singular up to rounding.
+  std::vector<double> weights(b.size());
+  multiply(system_.mass, std::vector<double>(b.size(), 1.0), weights);
+  const double weight = sum_of(weights), size = norm(b);
+  double mean = 0;
+  for (int k = 0; k < 2; ++k) {  // once more for what rounding leaves
+    const double part = sum_of(b) / weight;
+    for (std::size_t i = 0; i < b.size(); ++i) b[i] -= part * weights[i];
+    mean += part;
+  }
+  for (double& each : x) each -= mean;
+  const double part_of_size = size > 0 ? norm(b) / size : 1;
+  const double tolerance = part_of_size > solver_tolerance ? solver_tolerance / part_of_size : 1;
+  take_note(solver_->solve(b, x, tolerance), part_of_size);
+  if (options_.conservative) {
+    // The solver leaves a residual; its sum is an amount that came from nowhere, which a constant takes away again.
+    // Summed are differences: those of two sums would leave more by rounding than the solver does.
+    multiply(system_.mass, x, weights);
+    for (std::size_t i = 0; i < b.size(); ++i) b[i] -= weights[i];
+    mean += sum_of(b) / weight;
+  }
+  for (double& each : x) each += mean;
+}
+
+void Diffusion::take_note(const SolveOutcome& outcome, double part_of_size) {
   ++solves_;
   iterations_ += outcome.iterations;
-  worst_residual_ = std::max(worst_residual_, outcome.residual);
+  worst_residual_ = std::max(worst_residual_, outcome.residual * part_of_size);
   if (!outcome.converged) throw NoSolution(outcome.why);
-  if (!shift || !options_.conservative || !equation_.is_closed()) return;
-  // The solver leaves a residual; its sum is an amount that came from nowhere, which a constant takes away again. The
-  // stiffness has no part in it: its columns sum to zero, but for rounding, which a long step would multiply.
-  std::vector<double> residual(b.size());
-  multiply(system_.mass, x, residual);
-  for (std::size_t i = 0; i < b.size(); ++i) residual[i] = b[i] - residual[i];
-  const double lacks = sum_of(residual) / sum_of(system_.mass.values);
-  for (double& each : x) each += lacks;
 }
 
 void Diffusion::solve_at(const Configuration& at, std::optional<double> shift, bool serves_again,

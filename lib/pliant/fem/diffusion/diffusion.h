@@ -64,6 +64,10 @@ class Diffusion {
   void factor(std::optional<double> shift);
   std::unique_ptr<LinearSolver> choose_solver(std::optional<double> shift) const;
   void solve(std::vector<double> b, std::span<double> x, std::optional<double> shift);
+  /// The same of a step, where nothing enters but what the load says.
+  void solve_around_mean(std::vector<double> b, std::span<double> x);
+  /// Counts a solution whose right-hand side was `part_of_size` of the whole one in size. Throws NoSolution.
+  void take_note(const SolveOutcome& outcome, double part_of_size);
   /// The solution of  (mass + shift stiffness) x = b + shift load,  where `right_side` makes b once mass is known.
   using RightSide = std::function<std::vector<double>()>;
   void solve_at(const Configuration& at, std::optional<double> shift, bool serves_again, const RightSide& right_side,

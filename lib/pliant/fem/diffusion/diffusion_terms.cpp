@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "pliant/boundary/fault.h"
+#include "pliant/geometry/describe.h"
 #include "pliant/geometry/index.h"
 
 namespace pliant {
@@ -23,9 +24,9 @@ bool is_constant(const DiffusionMaterial& material) {
   const std::size_t colon = name.starts_with('/') ? name.find(": ") : std::string::npos;
   const std::string pointer = colon == std::string::npos ? "/problem" : name.substr(0, colon);
   std::ostringstream text;
-  text.precision(17);
-  text << (colon == std::string::npos ? name : name.substr(colon + 2)) << " is " << value << " at (" << place.x << ", "
-       << place.y << ") and time " << time << "; it must be " << what;
+  text << (colon == std::string::npos ? name : name.substr(colon + 2)) << " is "
+       << describe_number(std::isnan(value) ? std::abs(value) : value) << " at " << describe_point(place)
+       << " and time " << describe_number(time) << "; it must be " << what;  // a nan has no sign to be told
   throw InputError(pointer, text.str());
 }
 
