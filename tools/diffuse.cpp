@@ -1,6 +1,7 @@
 // tools/diffuse.cpp: solves convection-diffusion equations on meshes, at rest or in motion.
-#include "run/run_filter.h"
 #include "stages/diffuse.h"
+
+#include "run/run_filter.h"
 
 int main(int argc, char** argv) {
   pliant::DiffuseStage stage;

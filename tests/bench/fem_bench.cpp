@@ -29,8 +29,8 @@ std::vector<Point> points_of(const Mesh& mesh) {
 
 void report(benchmark::State& state, const Mesh& mesh) {
   state.counters["elements"] = mesh.triangle_count();
-  state.counters["a_second"] = benchmark::Counter(
-      static_cast<double>(state.iterations()) * mesh.triangle_count(), benchmark::Counter::kIsRate);
+  state.counters["a_second"] =
+      benchmark::Counter(static_cast<double>(state.iterations()) * mesh.triangle_count(), benchmark::Counter::kIsRate);
 }
 
 /// Mass and stiffness of each element, kept nowhere.

@@ -12,7 +12,7 @@ namespace {
 
 /// No more iterations than this, however many unknowns: at a million of them, some five minutes.
 constexpr int most_iterations = 20000;
-/// Of a small system, as many for each unknown: rounding spoils that n steps end it.
+/// A small system may take so many for each unknown: rounding spoils that n steps end it.
 constexpr std::size_t iterations_per_row = 10;
 /// Iterations stop where so many have not lowered the least residual: rounding, or a matrix that is singular.
 constexpr int patience = 500;
