@@ -253,7 +253,8 @@ std::vector<Point> between(std::span<const Point> from, std::span<const Point> t
   return points;
 }
 
-/// What a stage of a scheme is: where it is in the step, and how much of the step its rate counts for.
+/// The coefficient on the diagonal of SDIRK2: the first stage is at this part of the step, and this is the part of the
+/// step for which the rate of each stage counts in its own equation.
 const double gamma = 1 - std::sqrt(0.5);
 
 }  // namespace
