@@ -21,12 +21,6 @@ const Mesh& mesh_of(int p, int n) {
   return *mesh;
 }
 
-std::vector<Point> points_of(const Mesh& mesh) {
-  std::vector<Point> points;
-  for (PointId p = 0; p < mesh.point_slots(); ++p) points.push_back(mesh.point(p));
-  return points;
-}
-
 void report(benchmark::State& state, const Mesh& mesh) {
   state.counters["elements"] = mesh.triangle_count();
   state.counters["a_second"] =
@@ -37,7 +31,7 @@ void report(benchmark::State& state, const Mesh& mesh) {
 void element_matrices(benchmark::State& state) {
   const Mesh& mesh = mesh_of(static_cast<int>(state.range(0)), static_cast<int>(state.range(1)));
   const DiffusionProblem problem = samples::plain_problem(mesh.boundary());
-  const std::vector<Point> points = points_of(mesh);
+  const auto points = mesh.points();
   for (auto _ : state) {
     ElementTerms terms(problem, mesh);
     double sum = 0;
@@ -66,7 +60,7 @@ void fill(benchmark::State& state) {
   const Mesh& mesh = mesh_of(static_cast<int>(state.range(0)), static_cast<int>(state.range(1)));
   const DiffusionProblem problem = samples::plain_problem(mesh.boundary());
   const DiffusionEquation equation(problem, mesh);
-  const std::vector<Point> points = points_of(mesh);
+  const auto points = mesh.points();
   DiffusionSystem system;
   for (auto _ : state) equation.assemble({points, 0}, system);
   report(state, mesh);

@@ -28,16 +28,6 @@ double value_of(const PassReport& report, const std::string& name) {
   return 0;
 }
 
-PassReport solve(const DiffusionProblem& problem, Mesh& mesh) {
-  DiffusionOptions options;
-  options.wants_fluxes = true;
-  Diffusion diffusion(problem, mesh, options);
-  diffusion.solve_steady();
-  PassReport report;
-  diffusion.report(report);
-  return report;
-}
-
 }  // namespace
 
 TEST_CASE("a flux enters, and leaves where the value is given", "[fem][oracle]") {
@@ -48,7 +38,7 @@ TEST_CASE("a flux enters, and leaves where the value is given", "[fem][oracle]")
   problem.materials[0].diffusivity = {Coefficient(4)};
   add_condition(problem, mesh.boundary(), "west", Kind::flux, Coefficient(3));
   add_condition(problem, mesh.boundary(), "east", Kind::value, Coefficient(1));
-  const PassReport report = solve(problem, mesh);
+  const PassReport report = solve_steady(problem, mesh);
   CHECK(errors_of(mesh, {[](double x, double, double) { return 1 + 0.75 * (1 - x); }, {}, {}}).l2 < 1e-13);
   CHECK(value_of(report, "flux:west") == Approx(3).epsilon(1e-12));
   CHECK(value_of(report, "flux:east") == Approx(-3).epsilon(1e-12));
@@ -63,7 +53,7 @@ TEST_CASE("the energy of small differences is not lost in a large mean", "[fem][
   DiffusionProblem problem = plain_problem(mesh.boundary());
   add_condition(problem, mesh.boundary(), "west", Kind::value, Coefficient(300));
   add_condition(problem, mesh.boundary(), "east", Kind::value, Coefficient(300 + 1e-7));
-  CHECK(value_of(solve(problem, mesh), "energy") == Approx(0.5e-14).epsilon(1e-4));
+  CHECK(value_of(solve_steady(problem, mesh), "energy") == Approx(0.5e-14).epsilon(1e-4));
 }
 
 TEST_CASE("a Robin condition on one side, a given value on the other", "[fem][oracle]") {
@@ -76,7 +66,7 @@ TEST_CASE("a Robin condition on one side, a given value on the other", "[fem][or
   problem.materials[0].diffusivity = {Coefficient(k)};
   add_condition(problem, mesh.boundary(), "west", Kind::value, Coefficient(2));
   add_condition(problem, mesh.boundary(), "east", Kind::robin, Coefficient(h), Coefficient(a));
-  const PassReport report = solve(problem, mesh);
+  const PassReport report = solve_steady(problem, mesh);
   CHECK(errors_of(mesh, {[&](double x, double, double) { return 2 + s * x; }, {}, {}}).l2 < 1e-13);
   CHECK(value_of(report, "flux:east") == Approx(k * s).epsilon(1e-12));
   CHECK(value_of(report, "flux:west") == Approx(-k * s).epsilon(1e-12));
@@ -93,7 +83,7 @@ TEST_CASE("the unknown jumps by the flux over the transfer", "[fem][oracle]") {
   add_condition(problem, mesh.boundary(), "west", Kind::value, Coefficient(0));
   add_condition(problem, mesh.boundary(), "east", Kind::value, Coefficient(1));
   add_condition(problem, mesh.boundary(), "middle", Kind::jump, Coefficient(h));
-  const PassReport report = solve(problem, mesh);
+  const PassReport report = solve_steady(problem, mesh);
   const double flux = 1 / (0.5 + 1 / h + 0.5 / k);
   CHECK(errors_of(mesh, {[&](double x, double, double) { return flux * x; }, {}, {}}, 0).l2 < 1e-12);
   CHECK(errors_of(mesh, {[&](double x, double, double) { return 1 - flux / k * (1 - x); }, {}, {}}, 1).l2 < 1e-12);
@@ -114,16 +104,14 @@ TEST_CASE("fluxes through curves balance the source in each face", "[fem][oracle
   add_condition(problem, mesh.boundary(), "west", Kind::value, coefficient([](double, double y, double) { return y; }));
   add_condition(problem, mesh.boundary(), "east", Kind::robin, Coefficient(2), Coefficient(1));
   add_condition(problem, mesh.boundary(), "north", Kind::flux, coefficient([](double x, double, double) { return x; }));
-  const PassReport report = solve(problem, mesh);
+  const PassReport report = solve_steady(problem, mesh);
   // By the same rule, what the sources set free.
   double freed[2] = {0, 0};
   const Exact sources[2] = {{[](double, double, double) { return 2.0; }, {}, {}},
                             {[](double x, double y, double) { return -x * y; }, {}, {}}};
   ElementMap map(p);
-  std::vector<Point> points;
-  for (PointId k = 0; k < mesh.point_slots(); ++k) points.push_back(mesh.point(k));
   for (TriangleId t = 0; t < mesh.triangle_slots(); ++t) {
-    map.set(mesh, points, t, Integrand::varying);
+    map.set(mesh, mesh.points(), t, Integrand::varying);
     const auto face = index(mesh.face(t));
     for (int q = 0; q < map.points(); ++q)
       freed[face] += map.measure(q) * sources[face].value(map.place(q).x, map.place(q).y, 0);
@@ -144,7 +132,7 @@ TEST_CASE("what a condition sets free between two faces is told, and balances bo
   add_condition(problem, mesh.boundary(), "west", Kind::value, Coefficient(0));
   add_condition(problem, mesh.boundary(), "east", Kind::value, Coefficient(0));
   add_condition(problem, mesh.boundary(), "middle", kind, Coefficient(2), Coefficient(5));
-  const PassReport report = solve(problem, mesh);
+  const PassReport report = solve_steady(problem, mesh);
   // On the middle, 1/2 away from both ends, c is such that 2 c goes to the left and 6 c to the right.
   const double middle = kind == Kind::value ? 2 : kind == Kind::flux ? 2.0 / 8 : 2 * 5 / (8.0 + 2);
   CHECK(value_of(report, "flux:west") == Approx(-2 * middle).epsilon(1e-10));

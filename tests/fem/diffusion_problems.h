@@ -40,6 +40,17 @@ inline void add_condition(DiffusionProblem& problem, const BoundaryComplex& boun
   problem.conditions.push_back({kind, std::move(first), std::move(second), "/conditions/" + curve});
 }
 
+/// Solves for the steady state; the report has fluxes, too.
+inline PassReport solve_steady(const DiffusionProblem& problem, Mesh& mesh) {
+  DiffusionOptions options;
+  options.wants_fluxes = true;
+  Diffusion diffusion(problem, mesh, options);
+  diffusion.solve_steady();
+  PassReport report;
+  diffusion.report(report);
+  return report;
+}
+
 /// The L2 norm of the difference between the field "c" and a formula, and of the difference of their gradients.
 struct Errors {
   double l2 = 0, h1 = 0;

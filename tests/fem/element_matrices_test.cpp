@@ -14,12 +14,6 @@ using namespace pliant::samples;
 
 namespace {
 
-std::vector<Point> points_of(const Mesh& mesh) {
-  std::vector<Point> points;
-  for (PointId p = 0; p < mesh.point_slots(); ++p) points.push_back(mesh.point(p));
-  return points;
-}
-
 struct Matrices {
   std::vector<double> mass, stiffness, convection, along_x, along_y;
 };
@@ -27,7 +21,7 @@ struct Matrices {
 /// Everything for one element, with constant coefficients.
 Matrices matrices_of(const Mesh& mesh, TriangleId t, int pressure, const SymmetricTensor& k, const Vector& v) {
   ElementMap map(mesh.degree());
-  map.set(mesh, points_of(mesh), t, Integrand::constant);
+  map.set(mesh, mesh.points(), t, Integrand::constant);
   const std::size_t n = index(mesh.net_size()), m = index(map.points());
   Matrices made;
   made.mass.resize(n * n);
@@ -115,7 +109,7 @@ TEST_CASE("the stiffness of curved elements is as good as rules of high degree",
   const Mesh mesh(mapped_square(p, 3, bend));
   const std::size_t n = index(mesh.net_size());
   std::vector<double> pairs(n * (n + 1) / 2), fine(pairs.size());
-  const std::vector<Point> points = points_of(mesh);
+  const auto points = mesh.points();
   ElementMap map(p);
   for (TriangleId t = 0; t < mesh.triangle_slots(); ++t) {
     map.set(mesh, points, t, Integrand::constant);
@@ -129,7 +123,7 @@ TEST_CASE("the stiffness of curved elements is as good as rules of high degree",
 TEST_CASE("affine elements use few points, and give what many give", "[fem]") {
   const int p = GENERATE(1, 2, 3, 4);
   const Mesh mesh(mapped_square(p, 2, [](double x, double y) { return Point{2 * x + y + 1e3, 3 * y - x}; }));
-  const std::vector<Point> points = points_of(mesh);
+  const auto points = mesh.points();
   const std::size_t n = index(mesh.net_size());
   std::vector<double> pairs(n * (n + 1) / 2), fine(pairs.size());
   ElementMap map(p);

@@ -75,8 +75,7 @@ Result solve(int degree, int spans, bool straight, int steps) {
   Diffusion diffusion(problem, mesh, {});
   const VelocityField turn = [](const Point& p, double) { return Vector{-p.y, p.x}; };
   for (int k = 0; k < steps; ++k) {
-    std::vector<Point> from;
-    for (PointId p = 0; p < mesh.point_slots(); ++p) from.push_back(mesh.point(p));
+    const std::vector<Point> from(mesh.points().begin(), mesh.points().end());
     const double before = mesh.time;
     AdvectOptions options;
     options.dt = 0.5 / steps;

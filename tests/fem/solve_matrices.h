@@ -131,5 +131,11 @@ inline std::vector<std::unique_ptr<LinearSolver>> all_solvers() {
   solvers.push_back(make_direct_general());
   return solvers;
 }
+/// The same, and that of two levels with the hats of a mesh.
+inline std::vector<std::unique_ptr<LinearSolver>> all_solvers(const Mesh& mesh) {
+  std::vector<std::unique_ptr<LinearSolver>> solvers = all_solvers();
+  solvers.push_back(make_two_level(hats(mesh)));
+  return solvers;
+}
 
 }  // namespace pliant::samples

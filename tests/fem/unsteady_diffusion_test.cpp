@@ -15,12 +15,6 @@ namespace {
 
 const char* const sides[] = {"south", "east", "north", "west"};
 
-std::vector<Point> points_of(const Mesh& mesh) {
-  std::vector<Point> points;
-  for (PointId p = 0; p < mesh.point_slots(); ++p) points.push_back(mesh.point(p));
-  return points;
-}
-
 /// Moves the mesh, if there is a velocity, and takes the field along.
 void step(Diffusion& diffusion, Mesh& mesh, const VelocityField& velocity, double dt) {
   const double before = mesh.time;
@@ -29,7 +23,7 @@ void step(Diffusion& diffusion, Mesh& mesh, const VelocityField& velocity, doubl
     diffusion.step({}, before);
     return;
   }
-  const std::vector<Point> from = points_of(mesh);
+  const std::vector<Point> from(mesh.points().begin(), mesh.points().end());
   AdvectOptions options;
   options.dt = dt;
   REQUIRE(advect(mesh, velocity, options).status == AdvectOutcome::Status::done);

@@ -1,8 +1,11 @@
 // tests/tools/stages_test.cpp: stages in one process do, to the bit, what their tools do in a pipe.
+#include <unistd.h>
+
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <fstream>
 #include <string>
 
@@ -15,33 +18,50 @@ using namespace pliant::testing;
 
 namespace {
 
-/// A problem for `diffuse`, in a file.
+/// A problem for `diffuse`, in a file that is there as long as the program runs.
+class ProblemFile {
+ public:
+  ProblemFile()
+      : name_((std::filesystem::temp_directory_path() / ("stages_problem_" + std::to_string(getpid()))).string()) {
+    std::ofstream(name_) << R"json({"format": "pliant-problem", "version": 1, "parameters": {"k": 0.1}, "diffuse": {
+      "field": "heat", "materials": {"*": {"diffusivity": "k*(1+x^2)", "source": "sin(t)"}}, "initial": "x*y"}})json";
+  }
+  ~ProblemFile() { std::remove(name_.c_str()); }
+  ProblemFile(const ProblemFile&) = delete;
+  ProblemFile& operator=(const ProblemFile&) = delete;
+  const std::string& name() const { return name_; }
+
+ private:
+  std::string name_;
+};
 std::string problem_file() {
-  const std::string name = "stages_problem.json";
-  std::ofstream(name) << R"json({"format": "pliant-problem", "version": 1, "parameters": {"k": 0.1}, "diffuse": {
-    "field": "heat", "materials": {"*": {"diffusivity": "k*(1+x^2)", "source": "sin(t)"}}, "initial": "x*y"}})json";
-  return name;
+  static const ProblemFile file;
+  return file.name();
 }
 
 /// Every stage once, with what it must be told and nothing else.
-const Pipe bare{{"advect", "--flow", "shear", "--dt", "0.2"},
-                {"diffuse", "--problem", problem_file(), "--dt", "0.1"},
-                {"flipdelaunay"},
-                {"refine"},
-                {"coarsen"},
-                {"smoothcurves"}};
+Pipe bare() {
+  return {{"advect", "--flow", "shear", "--dt", "0.2"},
+          {"diffuse", "--problem", problem_file(), "--dt", "0.1"},
+          {"flipdelaunay"},
+          {"refine"},
+          {"coarsen"},
+          {"smoothcurves"}};
+}
 
 /// Every stage once, with many of its options.
-const Pipe with_options{
-    {"advect", "--vx", "0.3*sin(y)*cos(t)", "--vy", "0.3*sin(2*x)+0.1*t", "--dt", "0.2", "--until", "0.5", "--substeps",
-     "2", "--limit", "--keep-area"},
-    {"diffuse", "--problem", problem_file(), "--set", "k=0.2", "--flow", "shear", "--dt", "0.05", "--steps", "2",
-     "--scheme", "crank-nicolson", "--limit"},
-    {"flipdelaunay", "--max-flips", "20", "--projection", "l2"},
-    {"refine", "--size", "0.3+0.1*x*x", "--max-area", "0.2", "--max-turning", "35", "--projection", "conservative"},
-    {"coarsen", "--tolerance", "1e-2", "--step-tolerance", "5e-3", "--factor", "1.5", "--region-change", "conserve",
-     "--keep-area", "--feature-size", "2"},
-    {"smoothcurves", "--max-distortion", "1.01", "--vertices", "--flips", "--split"}};
+Pipe with_options() {
+  return {
+      {"advect", "--vx", "0.3*sin(y)*cos(t)", "--vy", "0.3*sin(2*x)+0.1*t", "--dt", "0.2", "--until", "0.5",
+       "--substeps", "2", "--limit", "--keep-area"},
+      {"diffuse", "--problem", problem_file(), "--set", "k=0.2", "--flow", "shear", "--dt", "0.05", "--steps", "2",
+       "--scheme", "crank-nicolson", "--limit"},
+      {"flipdelaunay", "--max-flips", "20", "--projection", "l2"},
+      {"refine", "--size", "0.3+0.1*x*x", "--max-area", "0.2", "--max-turning", "35", "--projection", "conservative"},
+      {"coarsen", "--tolerance", "1e-2", "--step-tolerance", "5e-3", "--factor", "1.5", "--region-change", "conserve",
+       "--keep-area", "--feature-size", "2"},
+      {"smoothcurves", "--max-distortion", "1.01", "--vertices", "--flips", "--split"}};
+}
 
 /// A document that carries a field, one by face, and a velocity.
 std::string with_fields(const std::string& document) {
@@ -86,7 +106,7 @@ void check_equal(const Pipe& pipe, const std::string& document, int times) {
 }  // namespace
 
 TEST_CASE("the pipes of these tests hold every stage", "[tools]") {
-  for (const Pipe& pipe : {bare, with_options}) {
+  for (const Pipe& pipe : {bare(), with_options()}) {
     std::vector<std::string> names;
     for (const Words& words : pipe) names.push_back(words.front());
     CHECK_THAT(names, Catch::UnorderedEquals(stage_names()));
@@ -98,9 +118,9 @@ TEST_CASE("stages in one process give the bytes of the pipe of their tools", "[t
   CAPTURE(degree);
   const std::string document = degree == 1 ? document_of(Mesh(samples::three_disks(1))) : three_cells(degree);
   const std::string carrying = with_fields(document);
-  SECTION("at bare defaults") { check_equal(bare, document, 3); }
-  SECTION("at bare defaults, with fields") { check_equal(bare, carrying, 3); }
-  SECTION("with options") { check_equal(with_options, carrying, 3); }
+  SECTION("at bare defaults") { check_equal(bare(), document, 3); }
+  SECTION("at bare defaults, with fields") { check_equal(bare(), carrying, 3); }
+  SECTION("with options") { check_equal(with_options(), carrying, 3); }
   SECTION("carried by dopri5, and by a field with its acceleration") {
     check_equal({{"advect", "--vx", "sin(y+t)", "--vy", "x/9", "--dt", "0.1", "--method", "dopri5", "--limit"},
                  {"flipdelaunay"},
@@ -119,7 +139,7 @@ TEST_CASE("stages in one process give the bytes of the pipe of their tools", "[t
     check_equal({{"advect", "--velocity-field", "v", "--dt", "0.3"}, {"flipdelaunay"}, {"coarsen"}}, carrying, 3);
   }
   SECTION("each pass alone, twice") {
-    for (const Words& words : with_options) {
+    for (const Words& words : with_options()) {
       CAPTURE(words.front());
       check_equal({words}, carrying, 2);
     }
@@ -129,7 +149,7 @@ TEST_CASE("stages in one process give the bytes of the pipe of their tools", "[t
 TEST_CASE("nothing of one mesh is left in a stage for the next one", "[tools]") {
   const std::string disk = document_of(Mesh(samples::disk(2))), cells = with_fields(three_cells(2)),
                     other = three_cells(3);
-  for (const Pipe& pipe : {bare, with_options}) {
+  for (const Pipe& pipe : {bare(), with_options()}) {
     const Stages stages(pipe);
     for (const std::string* document : {&cells, &disk, &other, &cells}) {
       const bool same = stages.output(*document) == output_of(pipe, *document);

@@ -29,12 +29,6 @@
 namespace pliant {
 namespace {
 
-std::string text_of(double value) {
-  char digits[40];
-  std::snprintf(digits, sizeof digits, "%.12g", value);
-  return digits;
-}
-
 class Simulation {
  public:
   Simulation(const EvolveOptions& options, Step step)

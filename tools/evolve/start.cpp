@@ -15,6 +15,13 @@
 #include "run/require_mesh.h"
 
 namespace pliant {
+
+std::string text_of(double value) {
+  char digits[40];
+  std::snprintf(digits, sizeof digits, "%.12g", value);
+  return digits;
+}
+
 namespace {
 
 void prepare(MeshData& data) {
@@ -31,12 +38,6 @@ MeshData read_input(const EvolveOptions& options) {
     mesh = std::move(data);
   });
   return std::move(*mesh);
-}
-
-std::string text_of(double value) {
-  char digits[40];
-  std::snprintf(digits, sizeof digits, "%.12g", value);
-  return digits;
 }
 
 /// Finds the last of the earlier frames that this run has too.

@@ -26,4 +26,7 @@ struct Start {
 /// Throws      as reading a document does; UsageError where an earlier run had another step or other frames
 Start find_start(const EvolveOptions& options, const Step& step);
 
+/// A time with 12 digits, for messages.
+std::string text_of(double value);
+
 }  // namespace pliant

@@ -21,12 +21,6 @@ namespace {
 constexpr std::pair<std::string_view, TimeScheme> schemes[] = {
     {"sdirk2", TimeScheme::sdirk2}, {"crank-nicolson", TimeScheme::crank_nicolson}, {"euler", TimeScheme::euler}};
 
-std::vector<Point> points_of(const Mesh& mesh) {
-  std::vector<Point> points;
-  for (PointId p = 0; p < mesh.point_slots(); ++p) points.push_back(mesh.point(p));
-  return points;
-}
-
 }  // namespace
 
 void DiffuseStage::add_options(CLI::App& app) {
@@ -123,7 +117,8 @@ PassReport DiffuseStage::take_steps(Diffusion& diffusion, Mesh& mesh, const Stag
   double taken = 0;
   for (int k = 0; k < steps_; ++k) {
     const double before = mesh.time;
-    const std::vector<Point> from = motion_.moves() ? points_of(mesh) : std::vector<Point>();
+    std::vector<Point> from;
+    if (motion_.moves()) from.assign(mesh.points().begin(), mesh.points().end());
     AdvectOutcome outcome = motion_.move(mesh, context.goal);
     if (outcome.status != AdvectOutcome::Status::late) diffusion.step(from, before);
     if (outcome.status == AdvectOutcome::Status::late && k > 0) break;

@@ -17,7 +17,7 @@ enum class Integrand {
 /// The map chi of an element at the points of a quadrature rule. One object serves one element after the other.
 ///
 /// Mass, convection and divergence with constant coefficients are polynomials of degree 4p - 2 at most, for which the
-/// rule is exact; stiffness is rational, and its rule is raised where det J varies much (fem.md's measurements: with
+/// rule is exact; stiffness is rational, and its rule is raised where det J varies much (with
 /// 4p - 2 points the error of an element matrix is below 1e-6 where min J > 0.7 max J). An element that is affine to
 /// the last bits needs 2p (the mass) with constant coefficients.
 class ElementMap {

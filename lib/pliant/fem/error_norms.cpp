@@ -11,6 +11,7 @@
 #include "pliant/fem/element_map.h"
 #include "pliant/fem/element_values.h"
 #include "pliant/geometry/index.h"
+#include "pliant/mesh/interpolate_nodes.h"
 
 namespace pliant {
 namespace {
@@ -40,21 +41,18 @@ double difference(const Coefficient& function, const CoefficientPoint& at, const
 
 ErrorNorms error_norms(const Mesh& mesh, const std::string& field, std::span<const std::optional<Coefficient>> exact) {
   constexpr double step_part = 1e-3;  // of an element's size
-  const auto found = std::ranges::find(mesh.fields(), field, &Field::name);
-  const std::vector<double> values = element_values(mesh, static_cast<int>(found - mesh.fields().begin()), 0);
+  const std::vector<double> values = element_values(mesh, find_field(mesh, field), 0);
   const int p = mesh.degree();
   const double unit = mesh.boundary().unit;
   ErrorNorms norms;
   norms.exact_degree = std::min(4 * p + 6, 40);
   const ElementTable& table = element_table(p, norms.exact_degree);
-  std::vector<Point> points;
-  for (PointId k = 0; k < mesh.point_slots(); ++k) points.push_back(mesh.point(k));
   ElementMap map(p);
   const std::size_t n = index(mesh.net_size());
   for (TriangleId t = 0; t < mesh.triangle_slots(); ++t) {
     const std::optional<Coefficient>& function = exact[index(mesh.face(t))];
     if (!function) continue;
-    map.set(mesh, points, t, table);
+    map.set(mesh, mesh.points(), t, table);
     for (int q = 0; q < table.points; ++q) {
       double value = 0, along_2 = 0, along_3 = 0;
       for (std::size_t k = 0; k < n; ++k) {

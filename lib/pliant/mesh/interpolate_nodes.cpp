@@ -97,12 +97,6 @@ bool is_selected(const Mesh& mesh, TriangleId t, FaceId face) {
   return mesh.is_alive(t) && (face == none || mesh.face(t) == face);
 }
 
-int find_field(const Mesh& mesh, const std::string& name) {
-  for (std::size_t f = 0; f < mesh.fields().size(); ++f)
-    if (mesh.fields()[f].name == name) return static_cast<int>(f);
-  return none;
-}
-
 }  // namespace
 
 void interpolate_nodes(const Mesh& mesh, FaceId face, int width, const NodeFunction& function, std::span<char> known,
@@ -114,6 +108,12 @@ void interpolate_nodes(const Mesh& mesh, FaceId face, int width, const NodeFunct
     for (int e = 0; e < 3; ++e) nodes.edge(half_edge(t, e));
     nodes.interior(t);
   }
+}
+
+int find_field(const Mesh& mesh, const std::string& name) {
+  for (std::size_t f = 0; f < mesh.fields().size(); ++f)
+    if (mesh.fields()[f].name == name) return static_cast<int>(f);
+  return none;
 }
 
 std::vector<std::array<std::int32_t, 2>> field_places(const Mesh& mesh) {

@@ -35,6 +35,9 @@ void interpolate_nodes(const Mesh& mesh, FaceId face, int width, const NodeFunct
 Field make_field(const Mesh& mesh, const std::string& name, int components, FaceId face, const NodeFunction& function,
                  std::string& why);
 
+/// The index of the field of that name; none if there is none.
+int find_field(const Mesh& mesh, const std::string& name);
+
 /// Every pair of a point and a face that has the point in one of its elements, sorted: the places of a field by face.
 std::vector<std::array<std::int32_t, 2>> field_places(const Mesh& mesh);
 

@@ -43,11 +43,9 @@ CurveFluxes::CurveFluxes(const DiffusionProblem& problem, const Mesh& mesh) : pr
   }
 
   EdgeMap map(mesh.degree());
-  std::vector<Point> points;
-  for (PointId p = 0; p < mesh.point_slots(); ++p) points.push_back(mesh.point(p));
   for (const HalfEdgeId h : mesh.half_edges()) {
     if (!mesh.is_constrained(h)) continue;
-    map.set(mesh, points, h);
+    map.set(mesh, mesh.points(), h);
     for (int k = 0; k <= mesh.degree(); ++k) {
       double length = 0;
       for (int q = 0; q < map.points(); ++q) length += map.measure(q) * map.values_at(q)[index(k)];

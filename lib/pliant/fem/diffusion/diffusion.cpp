@@ -20,18 +20,6 @@ constexpr double nonlinear_tolerance = 1e-11;  // of the change in one iteration
 /// At rest factors serve many steps, and are worth more than the time that they take; above, they take much memory.
 constexpr int largest_direct_at_rest = 200'000;
 
-std::vector<Point> points_of(const Mesh& mesh) {
-  std::vector<Point> points;
-  for (PointId p = 0; p < mesh.point_slots(); ++p) points.push_back(mesh.point(p));
-  return points;
-}
-
-int find_field(const Mesh& mesh, const std::string& name) {
-  for (std::size_t f = 0; f < mesh.fields().size(); ++f)
-    if (mesh.fields()[f].name == name) return static_cast<int>(f);
-  return none;
-}
-
 /// A field of zeros.
 Field make_zeros(const Mesh& mesh, const std::string& name, bool by_face) {
   Field field;
@@ -56,7 +44,7 @@ void remove_mean(std::span<double> values) {
 }  // namespace
 
 Diffusion::Diffusion(const DiffusionProblem& problem, Mesh& mesh, const DiffusionOptions& options)
-    : problem_(problem), mesh_(mesh), options_(options), equation_(problem, mesh), points_(points_of(mesh)) {
+    : problem_(problem), mesh_(mesh), options_(options), equation_(problem, mesh) {
   find_field();
 }
 
@@ -85,7 +73,7 @@ void Diffusion::find_field() {
       throw InputError("/problem/diffuse/initial", "the mesh has no field \"" + problem_.field +
                                                        "\", and there is no initial value for face \"" +
                                                        mesh_.boundary().faces[f].name + "\"");
-  if (all) unknowns = equation_.initial_unknowns({points_, mesh_.time});
+  if (all) unknowns = equation_.initial_unknowns({mesh_.points(), mesh_.time});
   mesh_.set_field(make_zeros(mesh_, problem_.field, jumps));
   field_ = pliant::find_field(mesh_, problem_.field);
   put(unknowns);
@@ -213,8 +201,7 @@ void Diffusion::solve_at(const Configuration& at, std::optional<double> shift, b
 
 void Diffusion::solve_steady() {
   equation_.require_determined();
-  points_ = points_of(mesh_);
-  const Configuration now{points_, mesh_.time};
+  const Configuration now{mesh_.points(), mesh_.time};
   std::vector<double> x = unknowns_of(equation_.space(), element_values(mesh_, field_, 0));
   const std::size_t n = x.size();
   solve_at(
@@ -229,14 +216,13 @@ void Diffusion::solve_steady() {
 }
 
 void Diffusion::step(std::span<const Point> from, double t0) {
-  points_ = points_of(mesh_);
   const bool moves = !from.empty();
   if (moves) is_assembled_ = false;
   if (options_.wants_fluxes) fluxes_ = std::make_unique<CurveFluxes>(problem_, mesh_);
   if (options_.conservative)
-    step_conservatively(moves ? from : std::span<const Point>(points_), t0, moves);
+    step_conservatively(moves ? from : mesh_.points(), t0, moves);
   else
-    step_by_derivatives(moves ? from : std::span<const Point>(points_), t0, moves);
+    step_by_derivatives(moves ? from : mesh_.points(), t0, moves);
   if (!fluxes_) return;
   curve_totals_ = fluxes_->totals();
   for (double& each : curve_totals_.fluxes) each /= mesh_.time - t0;
@@ -265,7 +251,7 @@ void Diffusion::step_conservatively(std::span<const Point> from, double t0, bool
   const std::vector<double> values = element_values(mesh_, field_, 0);
   std::vector<double> x = unknowns_of(space, values), rates(x.size(), 0.0), unused(x.size());
   const bool again = !moves && !problem_.matrices_depend_on_time && !problem_.depends_on_unknown;
-  const Configuration start{from, t0}, end{points_, mesh_.time};
+  const Configuration start{from, t0}, end{mesh_.points(), mesh_.time};
 
   // What there is at the start; for crank_nicolson, half of what comes in at the rate of then, too.
   std::vector<double> amounts(x.size(), 0.0);
@@ -283,8 +269,8 @@ void Diffusion::step_conservatively(std::span<const Point> from, double t0, bool
   double last = dt - part;
   if (options_.scheme == TimeScheme::sdirk2) {
     last = gamma * dt;
-    const std::vector<Point> then = moves ? between(from, points_, gamma) : points_;
-    const Configuration middle{then, t0 + gamma * dt};
+    const std::vector<Point> then = moves ? between(from, mesh_.points(), gamma) : std::vector<Point>();
+    const Configuration middle{moves ? std::span<const Point>(then) : mesh_.points(), t0 + gamma * dt};
     solve_stage(middle, last);
     multiply(system_.stiffness, x, rates);
     if (equation_.is_closed()) remove_mean(rates);  // it is rounding, which a long step would multiply
@@ -320,11 +306,11 @@ void Diffusion::step_by_derivatives(std::span<const Point> from, double t0, bool
   double last = dt;
   if (options_.scheme == TimeScheme::sdirk2) {
     last = gamma * dt;
-    const std::vector<Point> then = moves ? between(from, points_, gamma) : points_;
-    solve_stage({then, t0 + gamma * dt}, last, dt - last);
+    const std::vector<Point> then = moves ? between(from, mesh_.points(), gamma) : std::vector<Point>();
+    solve_stage({moves ? std::span<const Point>(then) : mesh_.points(), t0 + gamma * dt}, last, dt - last);
     for (std::size_t i = 0; i < x.size(); ++i) base[i] += (dt - last) * derivative[i];
   }
-  solve_stage({points_, mesh_.time}, last, last);
+  solve_stage({mesh_.points(), mesh_.time}, last, last);
   put(x);
 }
 

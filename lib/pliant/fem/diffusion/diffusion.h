@@ -81,7 +81,6 @@ class Diffusion {
   DiffusionOptions options_;
   DiffusionEquation equation_;
   int field_ = none;
-  std::vector<Point> points_;  // of the mesh as it is now
 
   DiffusionSystem system_;
   CsrMatrix matrix_;  // mass + shift * stiffness, or stiffness alone, with equations of their own for fixed unknowns

@@ -32,6 +32,7 @@ DiffusionEquation::DiffusionEquation(const DiffusionProblem& problem, const Mesh
   const Groups kinds[] = {{space_.element_size(), space_.unknowns()}, {2 * (mesh.degree() + 1), jump_members_}};
   sparsity_ = make_sparsity(space_.size(), kinds);
   fixed_.assign(index(space_.size()), 0);
+  std::vector<int> beyond(index(mesh.degree()) + 1);
   for_each_conditioned_edge([&](HalfEdgeId h, const DiffusionCondition& condition, std::span<const int> unknowns) {
     if (condition.kind == Kind::robin) closed_ = false;
     if (condition.kind != Kind::value) return;
@@ -39,7 +40,6 @@ DiffusionEquation::DiffusionEquation(const DiffusionProblem& problem, const Mesh
     fixes_any_ = true;
     for (const int i : unknowns) fixed_[index(i)] = 1;
     if (mesh_.twin(h) == none) return;
-    std::vector<int> beyond(unknowns.size());
     gather_edge(mesh_.twin(h), beyond);
     for (const int i : beyond) fixed_[index(i)] = 1;
   });
@@ -112,7 +112,7 @@ void DiffusionEquation::assemble(const Configuration& at, DiffusionSystem& syste
     for (std::size_t i = 0; i < n; ++i) system.load[index(unknowns[i])] += terms.load()[i];
   }
 
-  EdgeTerms edge(problem_, mesh_);
+  EdgeTerms edge(mesh_);
   const std::size_t m = index(mesh_.degree()) + 1;
   for_each_conditioned_edge([&](HalfEdgeId h, const DiffusionCondition& condition, std::span<const int> unknowns) {
     if (condition.kind == Kind::value) return;
@@ -145,7 +145,7 @@ void DiffusionEquation::assemble_load(const Configuration& at, std::vector<doubl
     const auto unknowns = space_.of(t);
     for (std::size_t i = 0; i < unknowns.size(); ++i) load[index(unknowns[i])] += terms.load()[i];
   }
-  EdgeTerms edge(problem_, mesh_);
+  EdgeTerms edge(mesh_);
   for_each_conditioned_edge([&](HalfEdgeId h, const DiffusionCondition& condition, std::span<const int> unknowns) {
     if (condition.kind == Kind::value) return;
     edge.set(at, h, condition);
@@ -173,7 +173,7 @@ void DiffusionEquation::apply(const Configuration& at, std::span<const double> v
     }
   }
 
-  EdgeTerms edge(problem_, mesh_);
+  EdgeTerms edge(mesh_);
   const std::size_t m = index(mesh_.degree()) + 1;
   std::vector<double> enters(m), here(m), there(m);
   const auto trace = [&](HalfEdgeId h, std::span<double> on_edge) {
@@ -195,6 +195,7 @@ void DiffusionEquation::apply(const Configuration& at, std::span<const double> v
     }
     add(h, unknowns);
   });
+  std::vector<int> beyond(m);
   for (std::size_t e = 0; e < jump_edges_.size(); ++e) {
     const HalfEdgeId h = jump_edges_[e], twin = mesh_.twin(h);
     const CurveId c = mesh_.constraint_curve(mesh_.constraint(h));
@@ -209,8 +210,7 @@ void DiffusionEquation::apply(const Configuration& at, std::span<const double> v
     }
     add(h, members.first(m));
     for (double& each : enters) each = -each;
-    std::vector<int> beyond(members.begin() + static_cast<std::ptrdiff_t>(m), members.end());
-    std::ranges::reverse(beyond);
+    std::ranges::reverse_copy(members.subspan(m), beyond.begin());
     std::ranges::reverse(enters);
     add(twin, beyond);
   }

@@ -37,7 +37,7 @@ void Diffusion::report(PassReport& report) const {
   std::vector<double> amount(n), rate(n), varies(n), totals(mesh_.boundary().faces.size(), 0.0);
   double energy = 0;
   ElementTerms terms(problem_, mesh_);
-  const Configuration now{points_, mesh_.time};
+  const Configuration now{mesh_.points(), mesh_.time};
   for (TriangleId t = 0; t < mesh_.triangle_slots(); ++t) {
     terms.set(now, t);
     const auto element = std::span(values).subspan(index(t) * n, n);

@@ -117,8 +117,7 @@ void ElementTerms::apply(std::span<const double> x, std::span<double> amount, st
   }
 }
 
-EdgeTerms::EdgeTerms(const DiffusionProblem&, const Mesh& mesh)
-    : mesh_(mesh), unit_(mesh.boundary().unit), map_(mesh.degree()) {
+EdgeTerms::EdgeTerms(const Mesh& mesh) : mesh_(mesh), unit_(mesh.boundary().unit), map_(mesh.degree()) {
   const std::size_t n = index(mesh.degree()) + 1;
   load_.resize(n);
   lengths_.resize(n);

@@ -56,7 +56,7 @@ double evaluate_at(const Coefficient& coefficient, const CoefficientPoint& at);
 /// The terms of one edge on a curve with a condition: what it adds to load and stiffness of the unknowns on the edge.
 class EdgeTerms {
  public:
-  EdgeTerms(const DiffusionProblem& problem, const Mesh& mesh);
+  explicit EdgeTerms(const Mesh& mesh);
 
   /// Throws      as ElementTerms::set
   void set(const Configuration& at, HalfEdgeId h, const DiffusionCondition& condition);

@@ -14,6 +14,7 @@ void DiffusionEquation::fix(const Configuration& at, std::span<double> unknowns)
   const std::size_t n = index(mesh_.degree()) + 1;
   const double unit = mesh_.boundary().unit;
   std::vector<double> polygon(2 * n), values(n);
+  std::vector<int> beyond(n);
   for_each_conditioned_edge([&](HalfEdgeId h, const DiffusionCondition& condition, std::span<const int> on_edge) {
     if (condition.kind != DiffusionCondition::Kind::value) return;
     for (std::size_t k = 0; k < n; ++k) {
@@ -33,7 +34,6 @@ void DiffusionEquation::fix(const Configuration& at, std::span<double> unknowns)
     interpolate_polygon(mesh_.degree(), 1, values);
     for (std::size_t k = 0; k < n; ++k) unknowns[index(on_edge[k])] = values[k];
     if (mesh_.twin(h) == none) return;
-    std::vector<int> beyond(n);
     gather_edge(mesh_.twin(h), beyond);
     for (std::size_t k = 0; k < n; ++k) unknowns[index(beyond[k])] = values[n - 1 - k];
   });
