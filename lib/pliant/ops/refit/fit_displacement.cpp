@@ -20,7 +20,9 @@ namespace {
 /// How much third derivatives count beside values, in lengths of the patch: so much that they are fitted first. Fitted
 /// values alone would leave them as large as if second derivatives jumped, since the maps of two elements differ by a
 /// part of first order; elements of degree 3 and more would lose their order.
-constexpr double third_share = 1e3;
+constexpr double third_share = 1e2;
+/// The least shape of the straight triangles of a patch for which they are fitted: some 8 degrees.
+constexpr double least_shape = 0.2;
 
 /// The third derivatives of the displacement of some elements; used again, so that it need not allocate.
 class DisplacementThirds {
@@ -73,9 +75,20 @@ void Patch::fit_displacement(const Mesh& mesh, std::span<const TriangleId> now, 
   std::array<Vector, net_size(max_degree)> known;
   std::array<std::pair<int, int>, net_size(max_degree)> unknown;  // place in the net, number
   std::array<double, net_size(max_degree)> old_basis;
+  // In thin triangles third derivatives across are all rounding, or all that counts.
+  const auto is_shapely = [](const Point& a, const Point& b, const Point& c) {
+    return triangle_shape(a, b, c) >= least_shape;
+  };
+  const bool fits_thirds =
+      degree_ > 2 &&
+      std::all_of(elements_.begin(), elements_.end(),
+                  [&](const Element& e) { return is_shapely(old_point(e, 0), old_point(e, 1), old_point(e, 2)); }) &&
+      std::all_of(now.begin(), now.end(), [&](TriangleId t) {
+        return is_shapely(mesh.point(mesh.corner(t, 0)), mesh.point(mesh.corner(t, 1)), mesh.point(mesh.corner(t, 2)));
+      });
   thread_local DisplacementThirds old_thirds;
   old_thirds.start(degree_);
-  if (degree_ > 2)
+  if (fits_thirds)
     for (std::size_t e = 0; e < elements_.size(); ++e)
       old_thirds.add(old_point(elements_[e], 0), old_point(elements_[e], 1), old_point(elements_[e], 2),
                      displacement.subspan(e * index(2 * n_), index(2 * n_)));
@@ -96,7 +109,7 @@ void Patch::fit_displacement(const Mesh& mesh, std::span<const TriangleId> now, 
     }
     const double area = triangle_area(a, b, c);
     std::optional<ThirdsInPlane> in_plane;
-    if (degree_ > 2) in_plane.emplace(a, b, c);
+    if (fits_thirds) in_plane.emplace(a, b, c);
     for (std::size_t node = 0; node < table.nodes.size(); ++node) {
       const Barycentric& at_node = table.nodes[node].xi;
       const Point x = at_node[0] * a + at_node[1] * b + at_node[2] * c;
@@ -129,7 +142,7 @@ void Patch::fit_displacement(const Mesh& mesh, std::span<const TriangleId> now, 
         for (std::size_t j = 0; j < own; ++j)
           normal[index(u * unknowns + unknown[j].second)] += share * basis[index(unknown[j].first)];
       }
-      if (degree_ < 3) continue;
+      if (!fits_thirds) continue;
       const Thirds* const thirds = &thirds_at_nodes(degree_)[node * index(n_)];
       std::array<Vector, 4> lacks = old_thirds.at(best, best_xi);
       Thirds x_known{}, y_known{};
