@@ -16,6 +16,7 @@
 #include "pliant/ops/build_triangle.h"
 #include "pliant/ops/even_jacobian.h"
 #include "pliant/ops/refit/refit.h"
+#include "pliant/ops/refit/straight_places.h"
 
 namespace pliant {
 namespace {
@@ -33,17 +34,6 @@ constexpr double weight_growth = 3;    // by this factor after each step
 constexpr double least_share = 1e-6;   // each logical triangle must have this share of the region for these steps
 // Displacements shorter than this times the largest coordinate count as none.
 constexpr double rounding = 0x1p-51;
-
-/// The place of control point k in the straight triangle a, b, c.
-Point straight(const NetLayout& layout, int k, const Point& a, const Point& b, const Point& c) {
-  const int j = layout.exponents(k)[1], l = layout.exponents(k)[2];
-  return a + (1.0 / layout.degree()) * (j * (b - a) + l * (c - a));
-}
-
-int index_in(std::span<const PointId> free, PointId p) {
-  const auto found = std::find(free.begin(), free.end(), p);
-  return found == free.end() ? -1 : static_cast<int>(found - free.begin());
-}
 
 /// Moves all free points by Gauss-Newton steps towards a det J that is constant on each element, with more and more
 /// weight on coefficients that stay small. The area that each element should have is its share of the region, as the
@@ -202,65 +192,6 @@ double Patch::extent() const {
     for (int c = 0; c < 3; ++c)
       longest = std::max(longest, squared_length(old_point(e, (c + 1) % 3) - old_point(e, c)));
   return std::sqrt(longest);
-}
-
-void Patch::fit_displacement(const Mesh& mesh, std::span<const TriangleId> now, std::span<const PointId> free,
-                             std::span<const double> displacement, std::span<Vector> solution) const {
-  const NetLayout& layout = NetLayout::of(degree_);
-  const NodeBasis& table = node_basis(degree_);
-  const int unknowns = static_cast<int>(free.size());
-  thread_local std::vector<double> normal, right;
-  normal.assign(index(unknowns * unknowns), 0.0);
-  right.assign(index(2 * unknowns), 0.0);
-  std::array<Vector, net_size(max_degree)> known;
-  std::array<std::pair<int, int>, net_size(max_degree)> unknown;  // place in the net, number
-  std::array<double, net_size(max_degree)> old_basis;
-  for (const TriangleId t : now) {
-    const auto net = mesh.net(t);
-    const Point a = mesh.point(net[0]), b = mesh.point(net[1]), c = mesh.point(net[2]);
-    std::size_t own = 0;            // unknowns in this element
-    for (int k = 3; k < n_; ++k) {  // corners are where the straight triangle has them
-      const int u = index_in(free, net[index(k)]);
-      if (u >= 0) unknown[own++] = {k, u};
-      known[index(k)] = u < 0 ? mesh.point(net[index(k)]) - straight(layout, k, a, b, c) : Vector{};
-    }
-    const double area = triangle_area(a, b, c);
-    for (std::size_t node = 0; node < table.nodes.size(); ++node) {
-      const Barycentric& at_node = table.nodes[node].xi;
-      const Point x = at_node[0] * a + at_node[1] * b + at_node[2] * c;
-      std::size_t best = 0;
-      double depth = -HUGE_VAL;
-      Barycentric best_xi{};
-      for (std::size_t e = 0; e < elements_.size() && depth < 0; ++e) {
-        const Element& old = elements_[e];
-        const Barycentric xi = barycentric(old_point(old, 0), old_point(old, 1), old_point(old, 2), x);
-        const double least = std::min({xi[0], xi[1], xi[2]});
-        if (least > depth) depth = least, best = e, best_xi = xi;
-      }
-      if (degree_ == 2) {
-        const auto& [u, v, w] = best_xi;
-        old_basis[3] = 2 * u * v, old_basis[4] = 2 * v * w, old_basis[5] = 2 * w * u;
-      } else {
-        bernstein_basis(degree_, best_xi, old_basis);
-      }
-      const double* const old = displacement.data() + best * index(2 * n_);
-      const std::span<const double> basis = table.at(node);
-      Vector rest{};
-      for (int k = 3; k < n_; ++k)
-        rest += old_basis[index(k)] * Vector{old[2 * k], old[2 * k + 1]} - basis[index(k)] * known[index(k)];
-      const double weight = table.nodes[node].weight * area;
-      for (std::size_t i = 0; i < own; ++i) {
-        const auto& [k, u] = unknown[i];
-        const double share = weight * basis[index(k)];
-        right[index(2 * u)] += share * rest.x;
-        right[index(2 * u + 1)] += share * rest.y;
-        for (std::size_t j = 0; j < own; ++j)
-          normal[index(u * unknowns + unknown[j].second)] += share * basis[index(unknown[j].first)];
-      }
-    }
-  }
-  solve_dense(unknowns, normal, 2, right);
-  for (int u = 0; u < unknowns; ++u) solution[index(u)] = {right[index(2 * u)], right[index(2 * u + 1)]};
 }
 
 bool Patch::fit_geometry(Mesh& mesh, std::span<const TriangleId> now, std::span<const PointId> free,
