@@ -40,4 +40,11 @@ class Coefficient {
   std::string name_;
 };
 
+/// What a coefficient is at a place.   Throws InputError where it is not finite
+double evaluate_at(const Coefficient& coefficient, const CoefficientPoint& at);
+
+/// Throws the InputError that says where and when a coefficient has a value that is not `what` it must be.
+[[noreturn]] void refuse_value(const Coefficient& coefficient, double value, const Point& place, double time,
+                               const char* what);
+
 }  // namespace pliant

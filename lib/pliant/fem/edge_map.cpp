@@ -23,6 +23,7 @@ EdgeMap::EdgeMap(int degree) : degree_(degree), rule_(segment_rule(std::min(4 * 
   values_.resize(rule_.size() * n);
   derivatives_.assign(rule_.size() * n, 0.0);
   measures_.resize(rule_.size());
+  along_.resize(rule_.size());
   polygon_.resize(n);
   std::vector<double> lower(n - 1);
   for (std::size_t q = 0; q < rule_.size(); ++q) {
@@ -42,12 +43,17 @@ void EdgeMap::set(const Mesh& mesh, std::span<const Point> points, HalfEdgeId h)
   for (std::size_t q = 0; q < rule_.size(); ++q) {
     Vector along;
     for (std::size_t k = 0; k < n; ++k) along += derivatives_[q * n + k] * polygon_[k];
+    along_[q] = along;
     measures_[q] = rule_[q].weight * length(along);
   }
 }
 
 std::span<const double> EdgeMap::values_at(int q) const {
   return std::span(values_).subspan(index(q) * polygon_.size(), polygon_.size());
+}
+
+std::span<const double> EdgeMap::derivatives_at(int q) const {
+  return std::span(derivatives_).subspan(index(q) * polygon_.size(), polygon_.size());
 }
 
 Point EdgeMap::place(int q) const {

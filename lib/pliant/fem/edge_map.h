@@ -23,6 +23,11 @@ class EdgeMap {
   double measure(int q) const { return measures_[static_cast<std::size_t>(q)]; }
   /// The degree + 1 basis functions of the edge there, from the half-edge's origin to its target.
   std::span<const double> values_at(int q) const;
+  /// Their derivatives along the edge's parameter, which runs from 0 to 1.
+  std::span<const double> derivatives_at(int q) const;
+  double weight(int q) const { return rule_[static_cast<std::size_t>(q)].weight; }
+  /// The derivative of the place with respect to that parameter.
+  Vector along(int q) const { return along_[static_cast<std::size_t>(q)]; }
   Point place(int q) const;
   Barycentric xi(int q) const;  ///< in the half-edge's triangle
 
@@ -30,6 +35,7 @@ class EdgeMap {
   int degree_, edge_ = 0;
   std::span<const SegmentNode> rule_;
   std::vector<double> values_, derivatives_, measures_;
+  std::vector<Vector> along_;
   std::vector<Point> polygon_;
 };
 

@@ -39,9 +39,10 @@ double difference(const Coefficient& function, const CoefficientPoint& at, const
 
 }  // namespace
 
-ErrorNorms error_norms(const Mesh& mesh, const std::string& field, std::span<const std::optional<Coefficient>> exact) {
+ErrorNorms error_norms(const Mesh& mesh, const std::string& field, std::span<const std::optional<Coefficient>> exact,
+                       int component) {
   constexpr double step_part = 1e-3;  // of an element's size
-  const std::vector<double> values = element_values(mesh, find_field(mesh, field), 0);
+  const std::vector<double> values = element_values(mesh, find_field(mesh, field), component);
   const int p = mesh.degree();
   const double unit = mesh.boundary().unit;
   ErrorNorms norms;

@@ -4,17 +4,12 @@
 #include <span>
 #include <vector>
 
+#include "pliant/fem/configuration.h"
 #include "pliant/fem/diffusion/diffusion_problem.h"
 #include "pliant/fem/edge_map.h"
 #include "pliant/fem/element_matrices.h"
 
 namespace pliant {
-
-/// Where the mesh is at some time: its control points, indexed by PointId, in the units of the mesh.
-struct Configuration {
-  std::span<const Point> points;
-  double time = 0;
-};
 
 /// The matrices of one element in   d(mass c)/dt = load - stiffness c.   All of them, and those of edges, are divided
 /// by the square of the document's unit, so that lengths are those of the mesh.
@@ -49,9 +44,6 @@ class ElementTerms {
   std::vector<SymmetricTensor> tensors_;
   std::vector<Vector> velocities_;
 };
-
-/// What a coefficient is at a place that is not a point of a rule.   Throws InputError where it is not finite
-double evaluate_at(const Coefficient& coefficient, const CoefficientPoint& at);
 
 /// The terms of one edge on a curve with a condition: what it adds to load and stiffness of the unknowns on the edge.
 class EdgeTerms {

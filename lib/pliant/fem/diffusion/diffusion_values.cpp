@@ -5,6 +5,7 @@
 
 #include "pliant/boundary/fault.h"
 #include "pliant/fem/diffusion/diffusion_equation.h"
+#include "pliant/fem/interpolate.h"
 #include "pliant/geometry/control_net.h"
 #include "pliant/geometry/index.h"
 
@@ -40,47 +41,8 @@ void DiffusionEquation::fix(const Configuration& at, std::span<double> unknowns)
 }
 
 std::vector<double> DiffusionEquation::initial_unknowns(const Configuration& at) const {
-  const NetLayout& layout = mesh_.layout();
-  const int p = mesh_.degree();
-  const std::size_t n = index(layout.size());
-  const double unit = mesh_.boundary().unit;
-  std::vector<double> net(2 * n), values(n), polygon(index(p) + 1);
-  std::vector<double> sums(index(space_.size()), 0.0), last(index(space_.size()), 0.0);
-  std::vector<int> counts(index(space_.size()), 0), faces(index(space_.size()), none);
-  for (TriangleId t = 0; t < mesh_.triangle_slots(); ++t) {
-    const FaceId face = mesh_.face(t);
-    std::size_t k = 0;
-    for (const PointId point : mesh_.net(t)) {
-      net[2 * k] = at.points[index(point)].x;
-      net[2 * k + 1] = at.points[index(point)].y;
-      ++k;
-    }
-    for (int i = 0; i < layout.size(); ++i) {
-      const auto& exponents = layout.exponents(i);
-      Barycentric xi{};
-      for (std::size_t c = 0; c < 3; ++c) xi[c] = static_cast<double>(exponents[c]) / p;
-      std::array<double, 2> x;
-      evaluate_net(p, 2, net, xi, x);
-      values[index(i)] =
-          evaluate_at(*problem_.initial[index(face)], {mesh_, t, xi, {unit * x[0], unit * x[1]}, at.time});
-    }
-    for (int e = 0; e < 3; ++e) {
-      for (int i = 0; i <= p; ++i) polygon[index(i)] = values[index(layout.edge_index(e, i))];
-      interpolate_polygon(p, 1, polygon);
-      for (int i = 1; i < p; ++i) values[index(layout.edge_index(e, i))] = polygon[index(i)];
-    }
-    if (p > 2) interpolate_interior(p, 1, values);
-    for (std::size_t i = 0; i < n; ++i) {
-      const std::size_t unknown = index(space_.of(t)[i]);
-      if (faces[unknown] == face || (counts[unknown] > 0 && last[unknown] == values[i])) continue;
-      faces[unknown] = face;  // elements of two faces by turns count more than once, which does no harm
-      last[unknown] = values[i];
-      sums[unknown] += values[i];
-      ++counts[unknown];
-    }
-  }
-  for (std::size_t i = 0; i < sums.size(); ++i) sums[i] /= counts[i];
-  return sums;
+  return interpolate(space_, mesh_, at,
+                     [this](FaceId face) -> const Coefficient& { return *problem_.initial[index(face)]; });
 }
 
 void DiffusionEquation::require_determined() const {

@@ -1,0 +1,255 @@
+// lib/pliant/fem/navier_stokes/navier_stokes.cpp: one linear equation a step, some for a steady flow.
+#include "pliant/fem/navier_stokes/navier_stokes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "pliant/boundary/fault.h"
+#include "pliant/fem/element_values.h"
+#include "pliant/fem/interpolate.h"
+#include "pliant/geometry/index.h"
+#include "pliant/mesh/interpolate_nodes.h"
+
+namespace pliant {
+namespace {
+
+constexpr int most_newton_iterations = 15;
+constexpr int most_solves = 150;            // of a steady flow, over all parts of convection
+constexpr double newton_tolerance = 1e-11;  // of the change in one iteration, relative to the velocity
+constexpr double greatest_growth = 1e4;     // a change that has grown so much does not come back
+constexpr double least_raise = 1.0 / 1024;  // of convection, between two solutions
+constexpr double greatest_ratio = 2;        // of a step's length to the last one's, for bdf2
+
+}  // namespace
+
+NavierStokes::NavierStokes(const FlowProblem& problem, Mesh& mesh, const FlowOptions& options)
+    : problem_(problem),
+      mesh_(mesh),
+      options_(options),
+      equation_((mesh.degree() >= 2
+                     ? problem
+                     : throw InputError("/degree",
+                                        "velocities need a mesh of degree 2 or more: pressures have one degree less")),
+                mesh, options.by_splines) {
+  require_fields();
+}
+
+void NavierStokes::require_fields() const {
+  for (const char* name : {"velocity", "acceleration", "mesh_velocity"}) {
+    const int k = find_field(mesh_, name);
+    if (k == none) continue;
+    const Field& field = mesh_.fields()[index(k)];
+    if (field.components == 2 && !field.by_face) continue;
+    throw InputError("/fields/" + std::to_string(k),
+                     "the field \"" + field.name + "\" has " + std::to_string(field.components) + " components" +
+                         (field.by_face ? " by face" : "") + "; the flow needs a continuous one of two");
+  }
+}
+
+bool NavierStokes::has_inertia() const {
+  return std::ranges::any_of(problem_.materials, [](const auto& each) { return each.density.constant() != 0.0; });
+}
+
+std::vector<double> NavierStokes::field_values(const char* name) const {
+  const int k = find_field(mesh_, name);
+  return k == none ? std::vector<double>() : mesh_.fields()[index(k)].values;
+}
+
+void NavierStokes::put(const char* name, std::vector<double> values) {
+  Field field;
+  if (const int k = find_field(mesh_, name); k != none) field = mesh_.fields()[index(k)];
+  field.name = name;
+  field.components = 2;
+  field.values = std::move(values);
+  mesh_.set_field(std::move(field));
+}
+
+void NavierStokes::put_state() {
+  put("velocity", state_.velocity);
+  Field field;
+  if (const int k = find_field(mesh_, "pressure"); k != none) field.extra = mesh_.fields()[index(k)].extra;
+  field.name = "pressure";
+  field.by_face = equation_.pressure_jumps();
+  if (field.by_face) field.places = field_places(mesh_);
+  field.values.assign(field.by_face ? field.places.size() : index(mesh_.point_slots()), 0.0);
+  mesh_.set_field(field);
+  const std::vector<double> values = elevated_values(equation_.pressures(), state_.pressure, mesh_.degree());
+  const int k = find_field(mesh_, "pressure");
+  std::size_t at = 0;
+  for (TriangleId t = 0; t < mesh_.triangle_slots(); ++t)
+    for (const PointId p : mesh_.net(t))
+      field.values[index(mesh_.value_index(k, p, mesh_.face(t)))] = mesh_.boundary().unit * values[at++];
+  mesh_.set_field(std::move(field));
+}
+
+void NavierStokes::solve(const Configuration& at, const FlowTerms& terms) {
+  std::vector<double> given(2 * index(mesh_.point_slots())), load;
+  equation_.velocities().give(at, given);
+  equation_.assemble(at, terms, given, matrix_, load);
+  const bool is_symmetric = (terms.convecting.empty() && equation_.form().is_symmetric) || terms.projects;
+  std::unique_ptr<LinearSolver> solver;
+  if (is_symmetric) {
+    solver = make_quasi_definite(equation_.multipliers());
+  } else {
+    equation_.pin_pressures(matrix_, load);
+    solver = make_direct_general();
+  }
+  if (const std::string why = solver->factor(matrix_); !why.empty()) throw NoSolution(why);
+  std::vector<double> x(load.size(), 0.0);
+  const SolveOutcome outcome = solver->solve(load, x, solver_tolerance);
+  ++solves_;
+  worst_residual_ = std::max(worst_residual_, outcome.residual);
+  if (!outcome.converged) throw NoSolution(outcome.why);
+  state_ = equation_.state(at, x, given);
+}
+
+void NavierStokes::solve_without_convection(const Configuration& at) { solve(at, FlowTerms{}); }
+
+void NavierStokes::solve_steady() {
+  const Configuration now{mesh_.points(), mesh_.time};
+  solve_without_convection(now);
+  if (has_inertia()) {
+    double reached = 0, raise = 1;
+    while (reached < 1) {
+      const double next = std::min(reached + raise, 1.0);
+      if (iterate(now, next)) {
+        reached = next;
+        raise *= 2;
+        continue;
+      }
+      raise /= 4;
+      if (raise >= least_raise && solves_ < most_solves) continue;
+      std::ostringstream text;
+      text
+          << "Newton's method does not converge: with " << next << " of the convection the last iteration changed the "
+          << "velocity by " << last_change_ << " of it, with " << reached << " it has converged (" << solves_
+          << " solutions in all); the flow may have no steady state that is stable: steps in time, a greater viscosity "
+             "or a finer mesh help usually";
+      throw NoSolution(text.str());
+    }
+  }
+  FlowTerms terms;
+  terms.convecting = has_inertia() ? std::span<const double>(state_.velocity) : std::span<const double>();
+  if (options_.wants_details) find_forces(now, terms);
+  put_state();
+}
+
+bool NavierStokes::iterate(const Configuration& at, double convection) {
+  const FlowState start = state_;
+  double first = 0;
+  for (int k = 0; k < most_newton_iterations && solves_ < most_solves; ++k) {
+    const std::vector<double> before = state_.velocity;
+    FlowTerms terms;
+    terms.convecting = before;
+    terms.newton = true;
+    terms.convection = convection;
+    solve(at, terms);
+    std::vector<double> change = state_.velocity;
+    for (std::size_t i = 0; i < change.size(); ++i) change[i] -= before[i];
+    last_change_ = norm(change) / std::max(norm(state_.velocity), 1e-300);
+    if (last_change_ <= newton_tolerance) return true;
+    if (k == 0) first = last_change_;
+    if (!(last_change_ <= greatest_growth * first)) break;
+  }
+  state_ = start;
+  return false;
+}
+
+void NavierStokes::initialise() {
+  if (find_field(mesh_, "velocity") != none) return;
+  const Configuration now{mesh_.points(), mesh_.time};
+  if (!has_inertia()) {
+    solve_without_convection(now);
+    if (options_.wants_details) find_forces(now, FlowTerms{});
+    return put_state();
+  }
+  std::vector<double> values(2 * index(mesh_.point_slots()), 0.0);
+  if (problem_.initial) {
+    const Space space = Space::continuous(mesh_);
+    for (std::size_t component = 0; component < 2; ++component) {
+      const std::vector<double> unknowns =
+          interpolate(space, mesh_, now, [&](FaceId) -> const Coefficient& { return (*problem_.initial)[component]; });
+      std::size_t at = 0;
+      for (TriangleId t = 0; t < mesh_.triangle_slots(); ++t)
+        for (const PointId p : mesh_.net(t)) values[2 * index(p) + component] = unknowns[index(space.unknowns()[at++])];
+    }
+  }
+  FlowTerms terms;
+  terms.history = values;
+  terms.projects = true;
+  solve(now, terms);
+  std::ranges::fill(state_.pressure, 0.0);  // of a projection it has no meaning
+  put_state();
+}
+
+void NavierStokes::step(std::span<const Point> from, double t0, std::optional<double> last_dt) {
+  const double dt = mesh_.time - t0, unit = mesh_.boundary().unit;
+  const std::vector<double> before = field_values("velocity"), rate = field_values("acceleration");
+  const std::vector<double> last_motion = field_values("mesh_velocity");
+  const bool convects = has_inertia() && !options_.mesh_follows;
+  const double ratio = last_dt ? dt / *last_dt : 0;
+  const bool is_bdf2 = options_.scheme == FlowOptions::Scheme::bdf2 && last_dt && !rate.empty() &&
+                       ratio <= greatest_ratio && ratio > 0 && (!convects || from.empty() || !last_motion.empty());
+  if (!is_bdf2) ++euler_steps_;
+  // rate of the velocity at the end: weight * (change in this step) / dt - (weight - 1) * (the same of the last step)
+  const double weight = is_bdf2 ? (1 + 2 * ratio) / (1 + ratio) : 1;
+
+  std::vector<double> history(before.size()), convecting, motion(before.size(), 0.0);
+  for (std::size_t i = 0; i < before.size(); ++i)
+    history[i] = weight / dt * before[i] + (is_bdf2 ? (weight - 1) * rate[i] : 0);
+  for (std::size_t p = 0; p < from.size(); ++p) {
+    const Vector moved = (unit / dt) * (mesh_.point(static_cast<PointId>(p)) - from[p]);
+    motion[2 * p] = moved.x;
+    motion[2 * p + 1] = moved.y;
+  }
+  if (convects) {
+    convecting = before;
+    for (std::size_t i = 0; i < before.size(); ++i) {
+      if (is_bdf2) convecting[i] += dt * rate[i];
+      if (!from.empty()) convecting[i] -= weight * motion[i] - (is_bdf2 ? (weight - 1) * last_motion[i] : 0);
+    }
+  }
+  FlowTerms terms;
+  terms.inertia = weight / dt;
+  terms.history = history;
+  terms.convecting = convecting;
+  terms.tension_time = dt;
+  terms.before = before;
+  const Configuration now{mesh_.points(), mesh_.time};
+  solve(now, terms);
+  if (options_.wants_details) find_forces(now, terms);
+
+  std::vector<double> change = state_.velocity;
+  for (std::size_t i = 0; i < change.size(); ++i) change[i] = (change[i] - before[i]) / dt;
+  put("acceleration", std::move(change));
+  if (convects && !from.empty()) put("mesh_velocity", std::move(motion));
+  put_state();
+}
+
+void NavierStokes::find_forces(const Configuration& at, const FlowTerms& terms) {
+  const std::vector<double> reactions = equation_.reactions(at, terms, state_);
+  // A corner counts half for each of two curves of different names.
+  std::map<std::string, std::vector<PointId>> points;
+  for (const HalfEdgeId h : mesh_.half_edges()) {
+    if (!mesh_.is_constrained(h)) continue;
+    const CurveId c = mesh_.constraint_curve(mesh_.constraint(h));
+    const int k = problem_.condition_of_curve[index(c)];
+    if (k == none || problem_.conditions[index(k)].kind != FlowCondition::Kind::velocity) continue;
+    if (problem_.motion_of_curve[index(c)] != CurveMotion::stays) continue;
+    for (int i = 0; i <= mesh_.degree(); ++i)
+      points[mesh_.boundary().curves[index(c)].name].push_back(mesh_.edge_point(h, i));
+  }
+  std::map<PointId, int> counts;
+  for (auto& [name, on_curve] : points) {
+    std::ranges::sort(on_curve);
+    on_curve.erase(std::unique(on_curve.begin(), on_curve.end()), on_curve.end());
+    for (const PointId p : on_curve) ++counts[p];
+  }
+  forces_.clear();
+  for (const auto& [name, on_curve] : points)
+    for (const PointId p : on_curve)
+      forces_[name] += Vector{reactions[2 * index(p)], reactions[2 * index(p) + 1]} / counts[p];
+}
+
+}  // namespace pliant

@@ -1,0 +1,86 @@
+// lib/pliant/fem/navier_stokes/navier_stokes.h: steady flows, and steps of flows in time, on a mesh that moves.
+#pragma once
+#include <map>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "pliant/fem/navier_stokes/flow_equation.h"
+#include "pliant/fem/no_solution.h"
+#include "pliant/fem/solve/linear_solver.h"
+#include "pliant/mesh/pass_report.h"
+
+namespace pliant {
+
+struct FlowOptions {
+  enum class Scheme {
+    bdf2,  ///< order 2, also for steps of uneven lengths; the first step is one of euler
+    euler  ///< backward Euler, order 1
+  } scheme = Scheme::bdf2;
+  /// The mesh moves with the fluid, but for curves that stay, on which the fluid is at rest: nothing is convected.
+  bool mesh_follows = false;
+  /// Curves that follow the flow have splines as velocities (VelocityUnknowns).
+  bool by_splines = true;
+  bool wants_details = false;  ///< forces, energies and the like are worth computing
+  bool wants_vorticity = false;
+};
+
+/// The flow of a problem on one mesh in memory. What one step leaves for the next one is in fields of the mesh, where
+/// passes carry it along: `velocity`; `acceleration`, the last change of the velocity at control points, by the length
+/// of the step; and, where the mesh does not follow the fluid, `mesh_velocity`, the last step's motion of the mesh by
+/// its length. `pressure` is a result that no step reads.
+class NavierStokes {
+ public:
+  /// Throws      InputError where fields with these names do not fit, and for meshes of degree 1
+  NavierStokes(const FlowProblem& problem, Mesh& mesh, const FlowOptions& options);
+
+  const FlowEquation& equation() const { return equation_; }
+
+  /// Solves for the flow that does not change in time, at mesh.time. Newton's method begins with the solution without
+  /// convection; where it does not converge, convection is raised by and by.
+  /// Throws      InputError, NoSolution
+  void solve_steady();
+  /// Makes the field `velocity` where the mesh has none: that of the problem's initial values that has no divergence,
+  /// or, where nothing has inertia, the solution at mesh.time.
+  /// Throws      InputError, NoSolution
+  void initialise();
+  /// Takes the flow through a step from time t0 to mesh.time, in which control points have moved on straight lines from
+  /// `from` to where they are; an empty `from` says that they have not moved.
+  /// `last_dt` is the length of the step before: none where there was none.
+  /// Throws      InputError, NoSolution
+  void step(std::span<const Point> from, double t0, std::optional<double> last_dt);
+
+  /// By the name of the curve: the force of the fluid on curves that stay and whose velocity is given, by the residual
+  /// of the last solution. Known where details are wanted.
+  const std::map<std::string, Vector>& forces() const { return forces_; }
+  /// Adds what is known of the last solution, in the document's units.
+  void report(PassReport& report) const;
+
+ private:
+  void require_fields() const;
+  bool has_inertia() const;
+  std::vector<double> field_values(const char* name) const;
+  void put(const char* name, std::vector<double> values);
+  void put_state();
+  /// Solves one linear equation; the result is in state_.
+  void solve(const Configuration& at, const FlowTerms& terms);
+  void solve_without_convection(const Configuration& at);
+  /// Newton's method from state_ with this part of convection; false, and state_ unchanged, where it does not converge.
+  bool iterate(const Configuration& at, double convection);
+  void find_forces(const Configuration& at, const FlowTerms& terms);
+
+  const FlowProblem& problem_;
+  Mesh& mesh_;
+  FlowOptions options_;
+  FlowEquation equation_;
+  FlowState state_;
+  CsrMatrix matrix_;
+  std::map<std::string, Vector> forces_;
+  double worst_residual_ = 0, last_change_ = 0;
+  int solves_ = 0, euler_steps_ = 0;
+};
+
+}  // namespace pliant

@@ -1,0 +1,215 @@
+// lib/pliant/fem/navier_stokes/velocity_unknowns.cpp: splines on curves, conditions, and the numbers of the rest.
+#include "pliant/fem/navier_stokes/velocity_unknowns.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <numeric>
+
+#include "pliant/fem/edge_map.h"
+#include "pliant/fem/navier_stokes/spline_weights.h"
+#include "pliant/geometry/index.h"
+
+namespace pliant {
+namespace {
+
+using Kind = FlowCondition::Kind;
+
+/// Where normals of slip at one place differ by more than this sine, it is a corner, from which nothing can glide away.
+constexpr double corner_sine = 0.1;
+
+}  // namespace
+
+/// Places carry unknowns: the control points of edges and elements, and the coefficients of splines.
+class VelocityUnknowns::Builder {
+ public:
+  Builder(VelocityUnknowns& result, bool by_splines)
+      : to_(result), mesh_(result.mesh_), problem_(result.problem_), sums_(index(mesh_.point_slots())) {
+    places_.resize(index(mesh_.point_slots()));
+    if (by_splines) add_splines();
+    for (std::size_t c = 0; c < to_.edges_.size(); ++c)
+      for (const HalfEdgeId h : to_.edges_[c]) apply_condition(static_cast<CurveId>(c), h);
+    number();
+    find_parts();
+  }
+
+ private:
+  struct Place {
+    bool is_fixed = false, is_slip = false;
+    Vector normal;                // of slip: the integral of the normal times the basis function
+    std::vector<Vector> corners;  // of slip: unit normals of edges that end here
+    int first = -1;               // unknown
+  };
+
+  const FlowCondition* condition(CurveId c) const {
+    const int k = problem_.condition_of_curve[index(c)];
+    return k == none ? nullptr : &problem_.conditions[index(k)];
+  }
+
+  void add_splines() {
+    for (std::size_t c = 0; c < to_.edges_.size(); ++c) {
+      const FlowCondition* const on_it = condition(static_cast<CurveId>(c));
+      if (problem_.motion_of_curve[c] != CurveMotion::follows) continue;
+      if (on_it != nullptr && on_it->kind == Kind::velocity) continue;
+      if (!to_.edges_[c].empty()) add_spline(static_cast<CurveId>(c));
+    }
+  }
+
+  void add_spline(CurveId c) {
+    const BSpline& spline = mesh_.spline(c);
+    const int p = mesh_.degree(), count = static_cast<int>(spline.points().size());
+    const int base = static_cast<int>(places_.size());
+    places_.resize(places_.size() + index(count));
+    PointId first_point = none, last_point = none;
+    if (!spline.closed())
+      for (const HalfEdgeId h : to_.edges_[index(c)]) {
+        const double start = mesh_.constraint_start(mesh_.constraint(h));
+        const bool forward = mesh_.runs_forward(h);
+        if (start == spline.first_parameter()) first_point = mesh_.edge_point(h, forward ? 0 : p);
+        if (spline.span_end(start) == spline.last_parameter()) last_point = mesh_.edge_point(h, forward ? p : 0);
+      }
+    SplineWeights weights(spline);
+    for (const HalfEdgeId h : to_.edges_[index(c)]) {
+      const bool forward = mesh_.runs_forward(h);
+      weights.set(mesh_.constraint_start(mesh_.constraint(h)));
+      for (int k = 0; k <= p; ++k) {
+        const PointId point = mesh_.edge_point(h, forward ? k : p - k);
+        if (point == first_point || point == last_point) continue;
+        std::vector<Weighted>& sum = sums_[index(point)];
+        if (!sum.empty()) continue;  // the end of the span before, whose sum is the same
+        for (const auto& [coefficient, weight] : weights.of(k)) {
+          const PointId end = spline.closed()            ? none
+                              : coefficient == 0         ? first_point
+                              : coefficient == count - 1 ? last_point
+                                                         : none;
+          sum.push_back({end == none ? base + coefficient : end, weight});
+        }
+      }
+    }
+  }
+
+  /// The places that a control point is made of.
+  std::vector<Weighted> sum(PointId p) const {
+    return sums_[index(p)].empty() ? std::vector<Weighted>{{p, 1.0}} : sums_[index(p)];
+  }
+
+  void apply_condition(CurveId c, HalfEdgeId h) {
+    const FlowCondition* const on_it = condition(c);
+    if (on_it == nullptr) return;
+    const int p = mesh_.degree();
+    if (on_it->kind == Kind::velocity)
+      for (int k = 0; k <= p; ++k) places_[index(mesh_.edge_point(h, k))].is_fixed = true;
+    if (on_it->kind != Kind::slip) return;
+    map_.set(mesh_, mesh_.points(), h);
+    for (int k = 0; k <= p; ++k) {
+      Vector normal;
+      for (int q = 0; q < map_.points(); ++q)
+        normal += map_.weight(q) * map_.values_at(q)[index(k)] * Vector{map_.along(q).y, -map_.along(q).x};
+      // An edge that runs backwards on the other side has the opposite normal; which way it points does not matter,
+      // but edges of one curve must agree.
+      if (!mesh_.runs_forward(h)) normal = -1.0 * normal;
+      const PointId point = mesh_.edge_point(h, k);
+      for (const auto& [place, weight] : sum(point)) {
+        places_[index(place)].is_slip = true;
+        places_[index(place)].normal += weight * normal;
+      }
+      if (k > 0 && k < p) continue;
+      const Vector leg = k == 0 ? mesh_.point(mesh_.edge_point(h, 1)) - mesh_.point(point)
+                                : mesh_.point(point) - mesh_.point(mesh_.edge_point(h, p - 1));
+      if (sums_[index(point)].empty() && length(leg) > 0)
+        places_[index(point)].corners.push_back(Vector{leg.y, -leg.x} / length(leg));
+    }
+  }
+
+  /// Corners of slip walls hold the fluid.
+  void hold_corners() {
+    for (Place& place : places_)
+      for (const Vector& normal : place.corners)
+        if (std::abs(cross(normal, place.corners[0])) > corner_sine) place.is_fixed = true;
+  }
+
+  int unknown(Place& place) {
+    if (place.first < 0) {
+      place.first = to_.size_;
+      to_.size_ += place.is_slip ? 1 : 2;
+    }
+    return place.first;
+  }
+
+  void number() {
+    hold_corners();
+    // The unknowns have the order in which the elements name them, the rows the order of the points.
+    for (TriangleId t = 0; t < mesh_.triangle_slots(); ++t)
+      for (const PointId p : mesh_.net(t))
+        for (const auto& [place, weight] : sum(p))
+          if (!places_[index(place)].is_fixed) unknown(places_[index(place)]);
+    to_.has_given_.assign(index(mesh_.point_slots()), 0);
+    to_.starts_.push_back(0);
+    for (PointId p = 0; p < mesh_.point_slots(); ++p) {
+      for (int component = 0; component < 2; ++component) {
+        for (const auto& [number, weight] : sum(p)) {
+          const Place& place = places_[index(number)];
+          if (place.is_fixed) {
+            to_.has_given_[index(p)] = 1;
+            if (component == 0 && number != p) to_.given_terms_.push_back({p, number, weight});
+          } else if (place.first >= 0 && place.is_slip) {
+            const Vector along = Vector{-place.normal.y, place.normal.x} / length(place.normal);
+            const double part = component == 0 ? along.x : along.y;
+            if (part != 0) to_.terms_.push_back({place.first, weight * part});
+          } else if (place.first >= 0) {
+            to_.terms_.push_back({place.first + component, weight});
+          }
+        }
+        to_.starts_.push_back(static_cast<int>(to_.terms_.size()));
+      }
+    }
+  }
+
+  void find_parts() {
+    std::vector<int> parent(index(mesh_.point_slots()));
+    std::iota(parent.begin(), parent.end(), 0);
+    const auto root = [&parent](int i) {
+      while (parent[index(i)] != i) i = parent[index(i)] = parent[index(parent[index(i)])];
+      return i;
+    };
+    for (TriangleId t = 0; t < mesh_.triangle_slots(); ++t)
+      for (const PointId p : mesh_.net(t)) parent[index(root(p))] = root(mesh_.corner(t, 0));
+    std::vector<int> numbers(parent.size(), -1);
+    to_.part_of_point_.resize(parent.size());
+    int parts = 0;
+    for (std::size_t p = 0; p < parent.size(); ++p) {
+      int& number = numbers[index(root(static_cast<int>(p)))];
+      if (number < 0) number = parts++;
+      to_.part_of_point_[p] = number;
+    }
+    to_.enclosed_.assign(index(parts), 1);
+    for (std::size_t c = 0; c < to_.edges_.size(); ++c)
+      for (const HalfEdgeId h : to_.edges_[c]) {
+        if (mesh_.twin(h) != none) continue;
+        const FlowCondition* const on_it = condition(static_cast<CurveId>(c));
+        if (on_it == nullptr || on_it->kind == Kind::traction || on_it->kind == Kind::outflow)
+          to_.enclosed_[index(to_.part_of_point_[index(mesh_.origin(h))])] = 0;
+      }
+  }
+
+  VelocityUnknowns& to_;
+  const Mesh& mesh_;
+  const FlowProblem& problem_;
+  EdgeMap map_{mesh_.degree()};
+  std::vector<std::vector<Weighted>> sums_;  // for each control point; empty: itself
+  std::vector<Place> places_;                // the control points, then coefficients
+};
+
+VelocityUnknowns::VelocityUnknowns(const FlowProblem& problem, const Mesh& mesh, bool by_splines)
+    : problem_(problem), mesh_(mesh), edges_(curve_edges(mesh)) {
+  Builder(*this, by_splines);
+}
+
+void VelocityUnknowns::expand(std::span<const double> unknowns, std::span<double> values) const {
+  for (std::size_t row = 0; row < values.size(); ++row)
+    for (int k = starts_[row]; k < starts_[row + 1]; ++k)
+      values[row] += terms_[index(k)].weight * unknowns[index(terms_[index(k)].unknown)];
+}
+
+}  // namespace pliant
