@@ -83,7 +83,9 @@ class Patch {
   }
   /// The longest edge of the old elements' straight triangles.
   double extent() const;
-  /// Projects the displacement of the old elements: finds that of each free point.
+  /// Projects the displacement of the old elements: finds that of each free point. From degree 3 on, where all
+  /// triangles are shapely, third derivatives count before positions: those of a new element's map must fall with h^3
+  /// as those of the old ones do, or cubic elements lose their order.
   void fit_displacement(const Mesh& mesh, std::span<const TriangleId> now, std::span<const PointId> free,
                         std::span<const double> displacement, std::span<Vector> solution) const;
 
