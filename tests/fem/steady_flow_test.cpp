@@ -36,7 +36,7 @@ TEST_CASE("a parallel flow comes out exactly, with and without convection, in bo
   set_velocity(problem, mesh, {"south", "north"}, zero, zero);
   set_condition(problem, mesh, "east", {FlowCondition::Kind::outflow, Coefficient(0), Coefficient(0), ""});
   if (stress) problem.materials[0].viscosity = coefficient([](const Point&, double) { return 0.1; });
-  NavierStokes flow(problem, mesh, {.by_splines = false, .wants_details = true});
+  NavierStokes flow(problem, mesh, {.by_splines = false});
   CHECK(flow.equation().form().is_stress == stress);
   flow.solve_steady();
   CHECK(error_of(mesh, "velocity", 0, profile) < 1e-11);

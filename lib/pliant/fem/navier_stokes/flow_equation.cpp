@@ -16,7 +16,7 @@ bool are_alike(const Coefficient& a, const Coefficient& b) {
 }
 
 /// Where the pressure jumps: across curves between different fluids, and where surface tension acts.
-std::vector<char> jumping_curves(const FlowProblem& problem, const Mesh& mesh) {
+std::vector<char> find_jumping(const FlowProblem& problem, const Mesh& mesh) {
   std::vector<char> jumps;
   const auto& curves = mesh.boundary().curves;
   for (std::size_t c = 0; c < curves.size(); ++c) {
@@ -40,8 +40,9 @@ FlowEquation::FlowEquation(const FlowProblem& problem, const Mesh& mesh, bool by
       mesh_(mesh),
       form_(choose_form(problem, mesh)),
       velocities_(problem, mesh, by_splines),
-      pressures_(Space::by_face(mesh, mesh.degree() - 1, jumping_curves(problem, mesh))) {
-  jumps_ = std::ranges::any_of(jumping_curves(problem, mesh), [](char each) { return each != 0; });
+      jumping_(find_jumping(problem, mesh)),
+      jumps_(std::ranges::any_of(jumping_, [](char each) { return each != 0; })),
+      pressures_(Space::by_face(mesh, mesh.degree() - 1, jumping_)) {
   make_groups();
   std::vector<Groups> groups;
   for (const Kind& kind : kinds_) groups.push_back({kind.size, kind.members});

@@ -36,6 +36,8 @@ class FlowEquation {
   int unknowns() const { return velocities_.size() + pressures_.size(); }
   /// Does the pressure jump across some curve?
   bool pressure_jumps() const { return jumps_; }
+  /// For each curve: does it?
+  const std::vector<char>& jumping_curves() const { return jumping_; }
   /// Which unknowns are pressures.
   std::vector<bool> multipliers() const;
 
@@ -64,7 +66,8 @@ class FlowEquation {
   const Mesh& mesh_;
   FlowForm form_;
   VelocityUnknowns velocities_;
-  bool jumps_ = false;
+  std::vector<char> jumping_;
+  bool jumps_;
   Space pressures_;
   /// Elements whose matrices have the same size. Those of the first kind have nothing but plain unknowns.
   struct Kind {

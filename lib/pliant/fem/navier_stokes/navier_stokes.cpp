@@ -67,19 +67,24 @@ void NavierStokes::put(const char* name, std::vector<double> values) {
 
 void NavierStokes::put_state() {
   put("velocity", state_.velocity);
+  std::vector<double> values = elevated_values(equation_.pressures(), state_.pressure, mesh_.degree());
+  for (double& value : values) value *= mesh_.boundary().unit;
+  put_scalar("pressure", values, equation_.pressure_jumps());
+}
+
+void NavierStokes::put_scalar(const char* name, std::span<const double> element_values, bool by_face) {
   Field field;
-  if (const int k = find_field(mesh_, "pressure"); k != none) field.extra = mesh_.fields()[index(k)].extra;
-  field.name = "pressure";
-  field.by_face = equation_.pressure_jumps();
-  if (field.by_face) field.places = field_places(mesh_);
-  field.values.assign(field.by_face ? field.places.size() : index(mesh_.point_slots()), 0.0);
+  if (const int k = find_field(mesh_, name); k != none) field.extra = mesh_.fields()[index(k)].extra;
+  field.name = name;
+  field.by_face = by_face;
+  if (by_face) field.places = field_places(mesh_);
+  field.values.assign(by_face ? field.places.size() : index(mesh_.point_slots()), 0.0);
   mesh_.set_field(field);
-  const std::vector<double> values = elevated_values(equation_.pressures(), state_.pressure, mesh_.degree());
-  const int k = find_field(mesh_, "pressure");
+  const int k = find_field(mesh_, name);
   std::size_t at = 0;
   for (TriangleId t = 0; t < mesh_.triangle_slots(); ++t)
     for (const PointId p : mesh_.net(t))
-      field.values[index(mesh_.value_index(k, p, mesh_.face(t)))] = mesh_.boundary().unit * values[at++];
+      field.values[index(mesh_.value_index(k, p, mesh_.face(t)))] = element_values[at++];
   mesh_.set_field(std::move(field));
 }
 
@@ -131,7 +136,7 @@ void NavierStokes::solve_steady() {
   }
   FlowTerms terms;
   terms.convecting = has_inertia() ? std::span<const double>(state_.velocity) : std::span<const double>();
-  if (options_.wants_details) find_forces(now, terms);
+  find_forces(now, terms);
   put_state();
 }
 
@@ -161,7 +166,7 @@ void NavierStokes::initialise() {
   const Configuration now{mesh_.points(), mesh_.time};
   if (!has_inertia()) {
     solve_without_convection(now);
-    if (options_.wants_details) find_forces(now, FlowTerms{});
+    find_forces(now, FlowTerms{});
     return put_state();
   }
   std::vector<double> values(2 * index(mesh_.point_slots()), 0.0);
@@ -218,38 +223,13 @@ void NavierStokes::step(std::span<const Point> from, double t0, std::optional<do
   terms.before = before;
   const Configuration now{mesh_.points(), mesh_.time};
   solve(now, terms);
-  if (options_.wants_details) find_forces(now, terms);
+  find_forces(now, terms);
 
   std::vector<double> change = state_.velocity;
   for (std::size_t i = 0; i < change.size(); ++i) change[i] = (change[i] - before[i]) / dt;
   put("acceleration", std::move(change));
   if (convects && !from.empty()) put("mesh_velocity", std::move(motion));
   put_state();
-}
-
-void NavierStokes::find_forces(const Configuration& at, const FlowTerms& terms) {
-  const std::vector<double> reactions = equation_.reactions(at, terms, state_);
-  // A corner counts half for each of two curves of different names.
-  std::map<std::string, std::vector<PointId>> points;
-  for (const HalfEdgeId h : mesh_.half_edges()) {
-    if (!mesh_.is_constrained(h)) continue;
-    const CurveId c = mesh_.constraint_curve(mesh_.constraint(h));
-    const int k = problem_.condition_of_curve[index(c)];
-    if (k == none || problem_.conditions[index(k)].kind != FlowCondition::Kind::velocity) continue;
-    if (problem_.motion_of_curve[index(c)] != CurveMotion::stays) continue;
-    for (int i = 0; i <= mesh_.degree(); ++i)
-      points[mesh_.boundary().curves[index(c)].name].push_back(mesh_.edge_point(h, i));
-  }
-  std::map<PointId, int> counts;
-  for (auto& [name, on_curve] : points) {
-    std::ranges::sort(on_curve);
-    on_curve.erase(std::unique(on_curve.begin(), on_curve.end()), on_curve.end());
-    for (const PointId p : on_curve) ++counts[p];
-  }
-  forces_.clear();
-  for (const auto& [name, on_curve] : points)
-    for (const PointId p : on_curve)
-      forces_[name] += Vector{reactions[2 * index(p)], reactions[2 * index(p) + 1]} / counts[p];
 }
 
 }  // namespace pliant

@@ -24,8 +24,6 @@ struct FlowOptions {
   bool mesh_follows = false;
   /// Curves that follow the flow have splines as velocities (VelocityUnknowns).
   bool by_splines = true;
-  bool wants_details = false;  ///< forces, energies and the like are worth computing
-  bool wants_vorticity = false;
 };
 
 /// The flow of a problem on one mesh in memory. What one step leaves for the next one is in fields of the mesh, where
@@ -53,8 +51,11 @@ class NavierStokes {
   /// Throws      InputError, NoSolution
   void step(std::span<const Point> from, double t0, std::optional<double> last_dt);
 
+  /// Makes the field `vorticity`, dv/dx - du/dy of the field `velocity`: its projection, continuous in each face.
+  /// Throws      NoSolution
+  void put_vorticity();
   /// By the name of the curve: the force of the fluid on curves that stay and whose velocity is given, by the residual
-  /// of the last solution. Known where details are wanted.
+  /// of the last solution.
   const std::map<std::string, Vector>& forces() const { return forces_; }
   /// Adds what is known of the last solution, in the document's units.
   void report(PassReport& report) const;
@@ -65,6 +66,8 @@ class NavierStokes {
   std::vector<double> field_values(const char* name) const;
   void put(const char* name, std::vector<double> values);
   void put_state();
+  /// A field of one component that has these control values in element after element.
+  void put_scalar(const char* name, std::span<const double> element_values, bool by_face);
   /// Solves one linear equation; the result is in state_.
   void solve(const Configuration& at, const FlowTerms& terms);
   void solve_without_convection(const Configuration& at);
