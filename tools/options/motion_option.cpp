@@ -65,8 +65,7 @@ std::string find_given(const CLI::App& app, std::span<const char* const> options
   return given == options.end() ? "" : *given;
 }
 
-/// Lets time go on, and nothing else.
-AdvectOutcome rest(Mesh& mesh, double dt) {
+AdvectOutcome let_time_go_on(Mesh& mesh, double dt) {
   AdvectOutcome outcome{};
   outcome.status = AdvectOutcome::Status::done;
   outcome.dt = outcome.asked_dt = dt;
@@ -82,10 +81,22 @@ AdvectOutcome rest(Mesh& mesh, double dt) {
 
 void MotionOption::add(CLI::App& app, Offer offer) {
   offer_ = offer;
-  flow_.add(app);
+  if (!offer.by_itself) flow_.add(app);
   app.add_option("--dt", dt_text_, "the time step")->type_name("DT");
   app.add_option("--until", until_text_, "step by min(DT, T - time); a mesh at T or later passes through")
       ->type_name("T");
+  if (!offer.by_itself) add_method(app);
+  app.add_flag("--limit", limit_, "where the step is unsafe, take a shorter one that is safe");
+  if (offer.may_force) app.add_flag("--force", force_, "take the step also if it inverts elements");
+  app.add_flag("--keep-area", options_.keep_area, "keep the area inside each closed curve, by one normal offset");
+  app.add_option("--min-gap", min_gap_text_, "refuse the step where boundaries are closer to each other than that")
+      ->type_name("LENGTH");
+  app.add_option("--gap", gap_, "where a gap would be thinner than --min-gap: stop, or hold what closes it")
+      ->type_name("stop|hold")
+      ->capture_default_str();
+}
+
+void MotionOption::add_method(CLI::App& app) {
   app.add_option("--method", method_, "how points are carried: " + method_names())
       ->type_name("NAME")
       ->capture_default_str();
@@ -97,14 +108,6 @@ void MotionOption::add(CLI::App& app, Offer offer) {
       ->type_name("N")
       ->check(CLI::Range(1, 1000000))
       ->capture_default_str();
-  app.add_flag("--limit", limit_, "where the step is unsafe, take a shorter one that is safe");
-  if (offer.may_force) app.add_flag("--force", force_, "take the step also if it inverts elements");
-  app.add_flag("--keep-area", options_.keep_area, "keep the area inside each closed curve, by one normal offset");
-  app.add_option("--min-gap", min_gap_text_, "refuse the step where boundaries are closer to each other than that")
-      ->type_name("LENGTH");
-  app.add_option("--gap", gap_, "where a gap would be thinner than --min-gap: stop, or hold what closes it")
-      ->type_name("stop|hold")
-      ->capture_default_str();
 }
 
 bool MotionOption::is_given(const CLI::App& app) {
@@ -113,7 +116,7 @@ bool MotionOption::is_given(const CLI::App& app) {
 }
 
 void MotionOption::check(const CLI::App& app) {
-  moves_ = !offer_.may_rest || VelocityOption::is_given(app);
+  moves_ = !offer_.may_rest || (!offer_.by_itself && VelocityOption::is_given(app));
   if (!moves_)
     if (const std::string option = find_given(app, needing_motion); !option.empty())
       throw UsageError(option +
@@ -128,7 +131,7 @@ void MotionOption::check(const CLI::App& app) {
   if (app.count("--gap") > 0 && app.count("--min-gap") == 0) throw UsageError("--gap needs --min-gap");
   options_.gap = gap_ == "hold" ? GapPolicy::hold : GapPolicy::stop;
   if (app.count("--min-gap") > 0) min_gap_ = parse_positive("--min-gap", min_gap_text_);
-  if (!moves_) return;
+  if (!moves_ || offer_.by_itself) return;
   flow_.check(app);
   check_method(app);
 }
@@ -148,20 +151,32 @@ void MotionOption::check_method(const CLI::App& app) {
 }
 
 AdvectOutcome MotionOption::move(Mesh& mesh, std::optional<double> goal) const {
+  if (!moves_) return rest(mesh, goal);
+  if (!flow_.velocity())
+    return move(mesh, goal, [this, &mesh](const AdvectOptions& step) {
+      return advect_by_field(mesh, flow_.find_field(mesh), step, flow_.find_acceleration(mesh));
+    });
+  return take(mesh, goal, [this, &mesh](const AdvectOptions& options, std::optional<double> until) {
+    return advect_to(mesh, flow_.velocity(), options, until);
+  });
+}
+
+AdvectOutcome MotionOption::rest(Mesh& mesh, std::optional<double> goal) const {
+  return move(mesh, goal, [&mesh](const AdvectOptions& step) { return let_time_go_on(mesh, step.dt); });
+}
+
+AdvectOutcome MotionOption::move(Mesh& mesh, std::optional<double> goal, const Step& step) const {
+  return take(mesh, goal, [&](const AdvectOptions& options, std::optional<double> until) {
+    return advect_to(mesh, options, until, step);
+  });
+}
+
+AdvectOutcome MotionOption::take(Mesh& mesh, std::optional<double> goal, const Towards& advance) const {
   const double before = mesh.time;
   AdvectOptions options = options_;
   options.min_gap = min_gap_ / mesh.boundary().unit;
   if (goal && options.policy == StepPolicy::refuse) options.policy = StepPolicy::limit;
-  const std::optional<double> until = goal ? goal : until_;
-  AdvectOutcome outcome{};
-  if (!moves_)
-    outcome = advect_to(mesh, options, until, [&mesh](const AdvectOptions& step) { return rest(mesh, step.dt); });
-  else if (flow_.velocity())
-    outcome = advect_to(mesh, flow_.velocity(), options, until);
-  else
-    outcome = advect_to(mesh, options, until, [this, &mesh](const AdvectOptions& step) {
-      return advect_by_field(mesh, flow_.find_field(mesh), step, flow_.find_acceleration(mesh));
-    });
+  AdvectOutcome outcome = advance(options, goal ? goal : until_);
   using Status = AdvectOutcome::Status;
   if (outcome.status != Status::done && outcome.status != Status::limited && outcome.status != Status::late)
     throw NoResult(explain(outcome, before, options.policy));

@@ -1,10 +1,11 @@
 // tools/options/motion_option.h: how a mesh moves in one step: velocity, length of the step, method, what stops it.
 #pragma once
+#include <functional>
 #include <optional>
 #include <string>
 
 #include "options/velocity_option.h"
-#include "pliant/flow/advect.h"
+#include "pliant/flow/advect_to.h"
 
 namespace pliant {
 
@@ -15,6 +16,7 @@ class MotionOption {
   struct Offer {
     bool may_force = false;  ///< --force: take unsafe steps, too
     bool may_rest = false;   ///< without a velocity the mesh stays where it is, and only time goes on
+    bool by_itself = false;  ///< the stage knows the velocity: there are no options for one, nor for methods
   };
   void add(CLI::App& app, Offer offer);
   /// Reads what was parsed.   Throws UsageError, and what read_flow throws
@@ -32,9 +34,16 @@ class MotionOption {
   /// in part, or none because the mesh is at that time or later.
   /// Throws      NoResult where no step is possible; the mesh is then as it was
   AdvectOutcome move(Mesh& mesh, std::optional<double> goal) const;
+  /// The same by a step of the stage, for `by_itself`.
+  AdvectOutcome move(Mesh& mesh, std::optional<double> goal, const Step& step) const;
+  /// The same where only time goes on.
+  AdvectOutcome rest(Mesh& mesh, std::optional<double> goal) const;
 
  private:
+  void add_method(CLI::App& app);
   void check_method(const CLI::App& app);
+  using Towards = std::function<AdvectOutcome(const AdvectOptions&, std::optional<double> until)>;
+  AdvectOutcome take(Mesh& mesh, std::optional<double> goal, const Towards& advance) const;
 
   Offer offer_;
   VelocityOption flow_;

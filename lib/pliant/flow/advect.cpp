@@ -279,9 +279,17 @@ AdvectOutcome advect(Mesh& mesh, const VelocityField& velocity, const AdvectOpti
 }
 
 AdvectOutcome advect_by_field(Mesh& mesh, int field, const AdvectOptions& options, int acceleration) {
-  const CarriedVelocity velocity(mesh, field);
+  const auto values = [&mesh](int k) -> std::span<const double> {
+    return k == none ? std::span<const double>() : mesh.fields()[static_cast<std::size_t>(k)].values;
+  };
+  return advect_by_values(mesh, values(field), values(acceleration), options);
+}
+
+AdvectOutcome advect_by_values(Mesh& mesh, std::span<const double> velocity_values,
+                               std::span<const double> acceleration, const AdvectOptions& options) {
+  const CarriedVelocity velocity(mesh, velocity_values);
   std::optional<CarriedVelocity> change;
-  if (acceleration != none) change.emplace(mesh, acceleration);
+  if (!acceleration.empty()) change.emplace(mesh, acceleration);
   const auto carried = [&](double dt) {
     const auto moved = [&](const auto& at) {
       const Vector straight = dt * at(velocity);

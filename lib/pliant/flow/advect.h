@@ -1,6 +1,7 @@
 // lib/pliant/flow/advect.h: one certified step of the moving mesh (paper §6).
 #pragma once
 #include <optional>
+#include <span>
 
 #include "pliant/flow/time_method.h"
 #include "pliant/flow/velocity_field.h"
@@ -70,5 +71,9 @@ AdvectOutcome advect(Mesh& mesh, const VelocityField& velocity, const AdvectOpti
 /// acceleration a, another such field, they move by v dt + a dt^2 / 2, which is of order 2 in time.
 /// Requires    fields of two components that are not by face
 AdvectOutcome advect_by_field(Mesh& mesh, int field, const AdvectOptions& options, int acceleration = none);
+/// The same with control values that the mesh does not carry: two for each PointId, in the document's units; an empty
+/// acceleration is 0.
+AdvectOutcome advect_by_values(Mesh& mesh, std::span<const double> velocity, std::span<const double> acceleration,
+                               const AdvectOptions& options);
 
 }  // namespace pliant

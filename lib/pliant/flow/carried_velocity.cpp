@@ -9,7 +9,9 @@
 namespace pliant {
 
 CarriedVelocity::CarriedVelocity(const Mesh& mesh, int field)
-    : mesh_(mesh), field_(mesh.fields()[static_cast<std::size_t>(field)]) {
+    : CarriedVelocity(mesh, mesh.fields()[static_cast<std::size_t>(field)].values) {}
+
+CarriedVelocity::CarriedVelocity(const Mesh& mesh, std::span<const double> values) : mesh_(mesh), values_(values) {
   const BoundaryComplex& boundary = mesh.boundary();
   for (const Curve& curve : boundary.curves) {
     breaks_.push_back(curve.spline.breaks());
@@ -34,7 +36,7 @@ CarriedVelocity::CarriedVelocity(const Mesh& mesh, int field)
 Vector CarriedVelocity::at_point(PointId p) const {
   const std::size_t i = 2 * static_cast<std::size_t>(p);
   const double unit = mesh_.boundary().unit;
-  return {field_.values[i] / unit, field_.values[i + 1] / unit};
+  return {values_[i] / unit, values_[i + 1] / unit};
 }
 
 Vector CarriedVelocity::at_vertex(int v) const {
