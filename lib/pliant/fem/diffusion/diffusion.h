@@ -4,13 +4,13 @@
 #include <memory>
 #include <optional>
 #include <span>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "pliant/fem/diffusion/diffusion_equation.h"
 #include "pliant/fem/solve/linear_solver.h"
+#include "pliant/fem/solve/no_solution.h"
 #include "pliant/mesh/pass_report.h"
 
 namespace pliant {
@@ -28,12 +28,6 @@ struct DiffusionOptions {
   bool conservative = true;
   bool needs_initial = true;  ///< a field that is missing needs initial values; else it begins with zeros
   bool wants_fluxes = false;  ///< what crosses curves is worth computing
-};
-
-/// No solution was reached: the text says how far it came.
-class NoSolution : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
 };
 
 /// The equation of a problem on one mesh in memory, whose field it solves for.
