@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "pliant/fem/navier_stokes/flow_equation.h"
-#include "pliant/fem/no_solution.h"
+#include "pliant/fem/solve/no_solution.h"
 #include "pliant/fem/solve/linear_solver.h"
 #include "pliant/mesh/pass_report.h"
 

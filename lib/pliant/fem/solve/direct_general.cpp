@@ -99,15 +99,21 @@ class DirectGeneral : public LinearSolver {
   }
 
   SolveOutcome solve(std::span<const double> b, std::span<double> x, double tolerance) const override {
-    Eigen::VectorXd right(static_cast<Eigen::Index>(b.size())), step;
+    std::vector<double> step(b.size());
     return correct(*a_, b, x, tolerance, true,
                    [&](std::span<const double> r, double, std::span<double> y, std::string&) {
-                     const std::vector<int>& places = elimination_.places;
-                     for (std::size_t i = 0; i < r.size(); ++i) right[places[i]] = scaling_[i] * r[i];
-                     step = lu_.solve(right);
-                     for (std::size_t i = 0; i < y.size(); ++i) y[i] += scaling_[i] * step[places[i]];
+                     apply(r, step);
+                     for (std::size_t i = 0; i < y.size(); ++i) y[i] += step[i];
                      return 0;
                    });
+  }
+
+  void apply(std::span<const double> b, std::span<double> x) const override {
+    const std::vector<int>& places = elimination_.places;
+    Eigen::VectorXd right(static_cast<Eigen::Index>(b.size()));
+    for (std::size_t i = 0; i < b.size(); ++i) right[places[i]] = scaling_[i] * b[i];
+    const Eigen::VectorXd solution = lu_.solve(right);
+    for (std::size_t i = 0; i < x.size(); ++i) x[i] = scaling_[i] * solution[places[i]];
   }
 
  private:

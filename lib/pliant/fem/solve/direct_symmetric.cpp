@@ -1,4 +1,5 @@
 // lib/pliant/fem/solve/direct_symmetric.cpp: LDL^T of positive definite and of saddle point matrices, refined.
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <utility>
@@ -38,14 +39,18 @@ class DirectSymmetric : public LinearSolver {
   }
 
   SolveOutcome solve(std::span<const double> b, std::span<double> x, double tolerance) const override {
-    std::vector<double> step;
+    std::vector<double> step(b.size());
     return correct(*a_, b, x, tolerance, true,
                    [&](std::span<const double> r, double, std::span<double> y, std::string&) {
-                     step.assign(r.begin(), r.end());
-                     ldlt_.solve(step);
+                     apply(r, step);
                      for (std::size_t i = 0; i < y.size(); ++i) y[i] += step[i];
                      return 0;
                    });
+  }
+
+  void apply(std::span<const double> b, std::span<double> x) const override {
+    std::ranges::copy(b, x.begin());
+    ldlt_.solve(x);
   }
 
  private:

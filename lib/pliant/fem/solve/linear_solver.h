@@ -51,7 +51,15 @@ class LinearSolver {
   /// do not need, and the best solution found after.
   /// Requires    that `factor` has returned an empty text
   virtual SolveOutcome solve(std::span<const double> b, std::span<double> x, double tolerance) const = 0;
+  /// Writes to x what is about A^-1 b, without a look at the residual: preconditioners are applied so. Direct solvers
+  /// solve with their factors once, for which the matrix need not live any more; others solve to a relative residual of
+  /// `approximate_tolerance`.
+  /// Requires    that `factor` has returned an empty text
+  virtual void apply(std::span<const double> b, std::span<double> x) const;
 };
+
+/// Of an iterative solver within another one.
+inline constexpr double approximate_tolerance = 1e-2;
 
 /// The relative residual that every system is solved to.
 inline constexpr double solver_tolerance = 1e-12;

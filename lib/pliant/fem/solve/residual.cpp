@@ -131,6 +131,11 @@ SolveOutcome correct(const CsrMatrix& a, std::span<const double> b, std::span<do
   return outcome;
 }
 
+void LinearSolver::apply(std::span<const double> b, std::span<double> x) const {
+  std::ranges::fill(x, 0);
+  solve(b, x, approximate_tolerance);
+}
+
 double nearest_power_of_two(double value) {
   int exponent = 0;
   const double fraction = std::frexp(value, &exponent);  // from 1/2 to 1

@@ -65,6 +65,11 @@ class ChosenSolver : public LinearSolver {
     return solver_->solve(b, x, tolerance);
   }
 
+  void apply(std::span<const double> b, std::span<double> x) const override {
+    assert(solver_);
+    solver_->apply(b, x);
+  }
+
  private:
   std::unique_ptr<LinearSolver> choose(const CsrMatrix& a) const {
     if (a.rows() <= largest_small) return make_direct_symmetric();

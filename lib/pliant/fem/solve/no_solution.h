@@ -1,4 +1,4 @@
-// lib/pliant/fem/no_solution.h: the exception of equations that were not solved.
+// lib/pliant/fem/solve/no_solution.h: what is thrown where no solution was reached.
 #pragma once
 #include <stdexcept>
 
