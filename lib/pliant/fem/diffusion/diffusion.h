@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "pliant/fem/diffusion/diffusion_equation.h"
-#include "pliant/fem/solve/no_solution.h"
 #include "pliant/fem/solve/linear_solver.h"
+#include "pliant/fem/solve/no_solution.h"
 #include "pliant/mesh/pass_report.h"
 
 namespace pliant {
