@@ -6,6 +6,7 @@
 #include "formats/document/presence.h"
 #include "formats/problem/diffuse_json.h"
 #include "formats/problem/names.h"
+#include "formats/problem/navier_stokes_json.h"
 #include "formats/problem/section_json.h"
 
 namespace pliant {
@@ -33,13 +34,15 @@ ProblemDocument read_document(JsonReader& in) {
       problem.parameters = read_parameters(in);
     else if (seen.is(name, "diffuse"))
       problem.diffuse = read_diffuse(in);
+    else if (seen.is(name, "navierstokes"))
+      problem.navierstokes = read_navier_stokes(in);
     else
       return false;
     return true;
   });
   seen.require({"format", "version"}, problem.extra);
   for (const auto& [name, value] : problem.extra)
-    for (const char* member : {"parameters", "diffuse"})
+    for (const char* member : {"parameters", "diffuse", "navierstokes"})
       if (!seen.has(member) && is_misspelling(name, member))
         in.fail("is not known; is \"" + std::string(member) + "\" meant?", pointer_step(name));
   return problem;
@@ -71,6 +74,7 @@ void write_problem(const ProblemDocument& problem, std::string& out) {
   writer.begin_object().name("format").value("pliant-problem").name("version").value(1);
   write_by_name(writer.name("parameters"), problem.parameters, write_expression);
   if (problem.diffuse) write_diffuse(writer.name("diffuse"), *problem.diffuse);
+  if (problem.navierstokes) write_navier_stokes(writer.name("navierstokes"), *problem.navierstokes);
   writer.members(problem.extra);
   writer.end_object();
   out += '\n';

@@ -13,6 +13,7 @@ std::string require_section(const ProblemDocument& problem, const char* name, bo
   if (is_there) return std::string("/problem/") + name;
   std::vector<std::string> sections;
   if (problem.diffuse) sections.emplace_back("diffuse");
+  if (problem.navierstokes) sections.emplace_back("navierstokes");
   for (const auto& extra : problem.extra) sections.push_back(extra.first);
   throw InputError("/problem", std::string("lacks the section \"") + name + "\"" +
                                    (sections.empty() ? "" : "; its other members are " + quote_names(sections)));
