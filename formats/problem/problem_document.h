@@ -40,10 +40,43 @@ struct DiffuseSection {
   std::vector<ProblemExpression> convection;                       ///< two components, or none
 };
 
+/// The fluid on one face; what is left out has a default (formats/problem.md).
+struct NavierStokesMaterial {
+  std::optional<ProblemExpression> density;
+  ProblemExpression viscosity{1.0};  ///< required in the document
+};
+
+/// What holds on the curves of these names.
+struct NavierStokesCondition {
+  enum class Kind { velocity, slip, traction, outflow, natural } kind = Kind::velocity;
+  std::vector<std::string> curves;            ///< as those of ProblemCondition
+  std::vector<ProblemExpression> components;  ///< two of velocity and traction, none of the others
+  std::optional<bool> moves;                  ///< does the mesh follow the flow there?
+};
+
+/// Its member in the document.
+const char* condition_name(NavierStokesCondition::Kind kind);
+
+/// The section for `navierstokes`. Its vectors have two components, or none where they are left out.
+struct NavierStokesSection {
+  enum class Pressure { by_face, continuous };
+  std::vector<std::pair<std::string, NavierStokesMaterial>> materials;  ///< by face; "*": faces that are not named
+  std::vector<NavierStokesCondition> conditions;
+  std::vector<std::pair<std::string, ProblemExpression>> surface_tension;  ///< by curve
+  std::vector<ProblemExpression> gravity;
+  std::vector<ProblemExpression> force;
+  std::vector<ProblemExpression> initial;
+  std::optional<Pressure> pressure;
+};
+
+/// Its text in the document.
+const char* pressure_name(NavierStokesSection::Pressure pressure);
+
 /// A problem: parameters, and a section for each tool that solves something.
 struct ProblemDocument {
   std::vector<std::pair<std::string, ProblemExpression>> parameters;  ///< a text may name those before it
   std::optional<DiffuseSection> diffuse;
+  std::optional<NavierStokesSection> navierstokes;
   ExtraMembers extra;  ///< other sections, too
 };
 

@@ -9,6 +9,7 @@
 #include "options/criteria_options.h"
 #include "options/problem_option.h"
 #include "problem/diffusion.h"
+#include "problem/incompressible.h"
 #include "run/exit_status.h"
 #include "run/run_filter.h"
 
@@ -48,8 +49,11 @@ class PassThroughStage : public Stage {
     criteria_.apply(mesh.criteria, mesh.boundary());
     if (has_problem_) {
       const ProblemDocument problem = problem_.load(mesh);
-      const DiffusionProblem diffusion = problem_.make_diffusion(problem, mesh);
-      if (problem_.wants_explanation()) context.say(explain(diffusion, problem, mesh));
+      std::string words;
+      if (problem.navierstokes) words = explain(problem_.make_flow(problem, mesh), problem, mesh);
+      if (problem.diffuse || !problem.navierstokes)
+        words += explain(problem_.make_diffusion(problem, mesh), problem, mesh);
+      if (problem_.wants_explanation()) context.say(words);
     }
     if (context.progress != nullptr) context.progress->start("sleep", "naps", naps_);
     for (int nap = 0; nap < naps_; ++nap) {

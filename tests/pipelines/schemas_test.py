@@ -30,13 +30,15 @@ def status(document):
 
 validators = {name: validator(name) for name in schemas}
 failures = []
-examples = {}
+examples, problems = {}, {}
 for name in schemas:
     page = (source / "formats" / f"{name}.md").read_text()
     for text in re.findall(r"```json\n(.*?)```", page, re.S):
         examples[name] = json.loads(text)
         failures += [f"{name}.md: {e.json_path} {e.message}" for e in validators[name].iter_errors(examples[name])]
-assert len(examples) == 4
+        if name == "problem":
+            problems.update({section: examples[name] for section in ("diffuse", "navierstokes") if section in examples[name]})
+assert len(examples) == 4 and len(problems) == 2
 if status(examples["mesh"]) != 0:
     failures.append("mesh.md: the tools refuse the example")
 
@@ -74,7 +76,7 @@ for number, edit in enumerate(edits):
     if status(document) != 3:
         failures.append(f"the reader accepts edit {number}")
 
-# Problems: the example stands on a channel with a cell in it, and is carried by the mesh.
+# Problems: the examples stand on a channel with a cell in it, and are carried by the mesh.
 def curve(name, points, ends, sides):
     closed = ends[0] is None
     knots = list(range(len(points) // 2 + 1)) if closed else [0, 0, 1, 1]
@@ -97,10 +99,11 @@ def solve(problem):
         return subprocess.run(["passthrough", "--problem", file.name], input=channel_mesh, text=True, capture_output=True)
 
 
-solved = solve(examples["problem"])
-if solved.returncode != 0:
-    failures.append(f"problem.md: the example is refused: {solved.stderr}")
-else:
+for section, example in problems.items():
+    solved = solve(example)
+    if solved.returncode != 0:
+        failures.append(f"problem.md: the example of {section} is refused: {solved.stderr}")
+        continue
     mesh = json.loads(solved.stdout)
     for name, document in (("mesh", mesh), ("problem", mesh["problem"])):
         failures += [f"a mesh with a problem: {e.json_path} {e.message}" for e in validators[name].iter_errors(document)]
@@ -131,13 +134,33 @@ edits = [
     lambda d: d["diffuse"]["conditions"][0]["jump"].update(ambient=1),
     lambda d: d["diffuse"]["conditions"][3]["robin"].pop("ambient"),
 ]
-for number, edit in enumerate(edits):
-    document = copy.deepcopy(examples["problem"])
+flow_edits = [
+    lambda d: d["navierstokes"].pop("materials"),
+    lambda d: d["navierstokes"].update(tension={}),
+    lambda d: d["navierstokes"].update(gravity=[1]),
+    lambda d: d["navierstokes"].update(force=1),
+    lambda d: d["navierstokes"].update(initial=["x", "y", 0]),
+    lambda d: d["navierstokes"].update(pressure="jumps"),
+    lambda d: d["navierstokes"]["surface_tension"].update({"*": 1}),
+    lambda d: d["navierstokes"]["surface_tension"].update(membrane=[1]),
+    lambda d: d["navierstokes"]["materials"]["cell"].pop("viscosity"),
+    lambda d: d["navierstokes"]["materials"]["cell"].update(capacity=1),
+    lambda d: d["navierstokes"]["conditions"][0].pop("curve"),
+    lambda d: d["navierstokes"]["conditions"][0].update(velocity=1),
+    lambda d: d["navierstokes"]["conditions"][0].update(slip=True),
+    lambda d: d["navierstokes"]["conditions"][0].update(moves=1),
+    lambda d: d["navierstokes"]["conditions"][2].update(slip=False),
+    lambda d: d["navierstokes"]["conditions"][2].pop("slip"),
+    lambda d: d["navierstokes"]["conditions"][3].update(moves=True),
+]
+for section, edit in [("diffuse", edit) for edit in edits] + [("navierstokes", edit) for edit in flow_edits]:
+    document = copy.deepcopy(problems[section])
     edit(document)
+    number = (edits if section == "diffuse" else flow_edits).index(edit)
     if validators["problem"].is_valid(document):
-        failures.append(f"the schema of problems accepts edit {number}")
+        failures.append(f"the schema of problems accepts edit {number} of {section}")
     if solve(document).returncode != 3:
-        failures.append(f"the reader of problems accepts edit {number}")
+        failures.append(f"the reader of problems accepts edit {number} of {section}")
 
 # The log of a simulation, and edits that its schema must see.
 with tempfile.TemporaryDirectory() as folder:

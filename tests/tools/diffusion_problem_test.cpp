@@ -236,9 +236,9 @@ TEST_CASE("a problem knows what its coefficients depend on", "[tools][problem]")
 TEST_CASE("what is no problem for this mesh is refused", "[tools][problem]") {
   Mesh mesh = channel(1);
   const Refusal missing =
-      refusal_of(read_problem(R"({"format": "pliant-problem", "version": 1, "navierstokes": {}, "note": 1})"), mesh);
+      refusal_of(read_problem(R"({"format": "pliant-problem", "version": 1, "elasticity": {}, "note": 1})"), mesh);
   CHECK(missing.pointer == "/problem");
-  CHECK_THAT(missing.text, Contains("lacks the section \"diffuse\"") && Contains("\"navierstokes\" and \"note\""));
+  CHECK_THAT(missing.text, Contains("lacks the section \"diffuse\"") && Contains("\"elasticity\" and \"note\""));
   check_refused(mesh, plain + R"(, "initial": "u + 1")", "/diffuse/initial", {"uses the unknown \"u\""});
   set_field(mesh, "u", 2, none, [](const Point&, std::span<double> v) { v[0] = v[1] = 1; });
   check_refused(mesh, plain, "/diffuse/field", {"\"u\" has 2 components", "scalar"});

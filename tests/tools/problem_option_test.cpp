@@ -181,6 +181,24 @@ TEST_CASE("a faulty file is refused with its place before any mesh is read", "[t
   CHECK_THROWS_WITH(option_of({"--problem", "-"}), Contains("standard input is for meshes"));
 }
 
+TEST_CASE("the option makes the problem of a flow, too, and tells the line of the file", "[tools][problem]") {
+  const TemporaryFile file(R"({"format": "pliant-problem", "version": 1, "parameters": {"mu": 2},
+    "navierstokes": {
+      "materials": {"*": {"viscosity": "mu"}},
+      "conditions": [{"curve": "*", "velocity": [0, 0]},
+        {"curve": "membrane", "outflow": true}]}})");
+  const auto option = option_of({"--problem", file.path()});
+  Mesh mesh = channel(1);
+  const ProblemDocument problem = option->load(mesh);
+  CHECK_THROWS_WITH(option->make_flow(problem, mesh),
+                    Contains(file.path() + ":5: /navierstokes/conditions/1/curve: curve 'membrane' (4) lies between"));
+  const TemporaryFile good(R"({"format": "pliant-problem", "version": 1, "parameters": {"mu": 2},
+    "navierstokes": {"materials": {"*": {"viscosity": "mu"}}, "conditions": [{"curve": "*", "slip": true}]}})");
+  const auto set = option_of({"--problem", good.path(), "--set", "mu=3"}), later = option_of({});
+  CHECK(set->make_flow(set->load(mesh), mesh).materials[0].viscosity.constant() == 3);
+  CHECK(later->make_flow(later->load(mesh), mesh).materials[0].viscosity.constant() == 3);
+}
+
 TEST_CASE("the option --set wants parameters of the problem and finite numbers", "[tools][problem]") {
   const TemporaryFile file(document);
   const auto refused = [&](Words words, const std::string& text) {
@@ -206,5 +224,6 @@ TEST_CASE("the option --set wants parameters of the problem and finite numbers",
 
 TEST_CASE("a problem as the input of another tool is named", "[tools][problem]") {
   CHECK(describe_other_format("pliant-problem") != "");
-  CHECK_THAT(describe_other_kind(document, FileKind::svg), Contains("this is a problem, which diffuse reads"));
+  CHECK_THAT(describe_other_kind(document, FileKind::svg),
+             Contains("this is a problem, which diffuse and navierstokes read"));
 }

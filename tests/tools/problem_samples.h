@@ -62,17 +62,30 @@ inline TriangleId triangle_in(const Mesh& mesh, int face) {
 
 inline const std::string plain = R"("materials": {"*": {}})";
 
+/// A document whose section `navierstokes` has these members.
+inline ProblemDocument flow_problem_of(const std::string& members, const std::string& parameters = "{}") {
+  return read_problem(R"({"format": "pliant-problem", "version": 1, "parameters": )" + parameters +
+                      R"(, "navierstokes": {)" + members + "}}");
+}
+
 struct Refusal {
   std::string pointer = "accepted", text;
 };
 
-inline Refusal refusal_of(const ProblemDocument& problem, const Mesh& mesh) {
+/// What `make`, make_diffusion_problem or make_flow_problem, says of a problem.
+template <class Made>
+Refusal refusal_of(const ProblemDocument& problem, const Mesh& mesh,
+                   Made (*make)(const ProblemDocument&, const Mesh&)) {
   try {
-    make_diffusion_problem(problem, mesh);
+    make(problem, mesh);
   } catch (const InputError& e) {
     return {e.pointer(), e.what()};
   }
   return {};
+}
+
+inline Refusal refusal_of(const ProblemDocument& problem, const Mesh& mesh) {
+  return refusal_of(problem, mesh, make_diffusion_problem);
 }
 
 /// The value of an expression as a source, at a point.

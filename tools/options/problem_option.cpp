@@ -14,6 +14,7 @@
 #include "formats/problem/problem_json.h"
 #include "options/numbers.h"
 #include "problem/diffusion.h"
+#include "problem/incompressible.h"
 #include "problem/problem_names.h"
 #include "run/documents.h"
 #include "run/doubts.h"
@@ -148,6 +149,12 @@ DiffusionProblem ProblemOption::make_diffusion(const ProblemDocument& problem, c
   DiffusionProblem diffusion;
   in_problem([&] { diffusion = make_diffusion_problem(problem, mesh); });
   return diffusion;
+}
+
+FlowProblem ProblemOption::make_flow(const ProblemDocument& problem, const Mesh& mesh) const {
+  FlowProblem flow;
+  in_problem([&] { flow = make_flow_problem(problem, mesh); });
+  return flow;
 }
 
 void ProblemOption::in_problem(const std::function<void()>& work) const {

@@ -8,6 +8,7 @@
 
 #include "formats/problem/problem_document.h"
 #include "pliant/fem/diffusion/diffusion_problem.h"
+#include "pliant/fem/navier_stokes/flow_problem.h"
 #include "pliant/mesh/mesh.h"
 
 namespace CLI {
@@ -33,6 +34,8 @@ class ProblemOption {
   ProblemDocument load(Mesh& mesh) const;
   /// make_diffusion_problem with a problem that `load` has returned; what it throws tells the line of the file.
   DiffusionProblem make_diffusion(const ProblemDocument& problem, const Mesh& mesh) const;
+  /// The same of make_flow_problem.
+  FlowProblem make_flow(const ProblemDocument& problem, const Mesh& mesh) const;
   /// Runs `work` on a problem that `load` has returned. Where --problem gave it, an InputError with a pointer below
   /// "/problem" comes out with the line of the file.
   void in_problem(const std::function<void()>& work) const;

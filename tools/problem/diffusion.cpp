@@ -1,48 +1,34 @@
 // tools/problem/diffusion.cpp: names become indices, texts become coefficients; all that does not fit is refused.
 #include "problem/diffusion.h"
 
-#include <algorithm>
-#include <map>
-#include <span>
-
-#include "formats/problem/names.h"
 #include "pliant/boundary/boundary_spans.h"
 #include "pliant/boundary/fault.h"
 #include "pliant/geometry/describe.h"
+#include "problem/on_mesh.h"
 #include "problem/problem_names.h"
 
 namespace pliant {
 namespace {
 
-constexpr const char* section = "/problem/diffuse";
-
-std::vector<std::string> face_names(const BoundaryComplex& boundary) {
-  std::vector<std::string> names;
-  for (const Face& face : boundary.faces) names.push_back(face.name);
-  return names;
-}
-
-std::vector<std::string> curve_names(const BoundaryComplex& boundary) {
-  std::vector<std::string> names;
-  for (const Curve& curve : boundary.curves)
-    if (std::ranges::find(names, curve.name) == names.end()) names.push_back(curve.name);
-  return names;
-}
-
 class Builder {
  public:
   Builder(const ProblemDocument& problem, const Mesh& mesh)
-      : given_(*problem.diffuse), mesh_(mesh), boundary_(mesh.boundary()), names_(problem, mesh, given_.field) {}
+      : section_(require_section(problem, "diffuse", problem.diffuse.has_value())),
+        given_(*problem.diffuse),
+        mesh_(mesh),
+        boundary_(mesh.boundary()),
+        names_(problem, mesh, given_.field) {}
 
   DiffusionProblem build() {
     problem_.field = given_.field;
     check_unknown();
-    add_materials();
+    problem_.materials = materials_of(
+        boundary_, given_.materials, section_,
+        [this](const ProblemMaterial& each, const std::string& place) { return make_material(each, place); });
     add_conditions();
     add_initial();
     for (std::size_t k = 0; k < given_.convection.size(); ++k)
-      problem_.convection.push_back(
-          matrix(given_.convection[k], std::string(section) + "/convection/" + std::to_string(k)));
+      problem_.convection.push_back(matrix(given_.convection[k], section_ + "/convection/" + std::to_string(k)));
     return std::move(problem_);
   }
 
@@ -50,9 +36,9 @@ class Builder {
   void check_unknown() const {
     for (const Field& field : mesh_.fields())
       if (field.name == given_.field && field.components != 1)
-        throw InputError(std::string(section) + "/field", "the mesh's field \"" + field.name + "\" has " +
-                                                              std::to_string(field.components) +
-                                                              " components, while the unknown is a scalar");
+        throw InputError(section_ + "/field", "the mesh's field \"" + field.name + "\" has " +
+                                                  std::to_string(field.components) +
+                                                  " components, while the unknown is a scalar");
   }
 
   /// A coefficient of the equation; notes what it depends on.
@@ -70,14 +56,6 @@ class Builder {
     problem_.depends_on_time |= compiled.uses_time || compiled.uses_fields;
     problem_.matrices_depend_on_time |= compiled.uses_time || compiled.uses_fields;
     return std::move(compiled.coefficient);
-  }
-
-  static void refuse_below(const Coefficient& coefficient, bool zero_is_allowed, const std::string& place,
-                           const char* what) {
-    const std::optional<double>& value = coefficient.constant();
-    if (!value || *value > 0 || (zero_is_allowed && *value == 0)) return;
-    throw InputError(place, std::string(what) + " is " + describe_number(*value) + ", but " +
-                                (zero_is_allowed ? "should not be negative" : "should be above zero"));
   }
 
   // -- materials
@@ -115,45 +93,7 @@ class Builder {
     return material;
   }
 
-  /// The index of a face that the problem names.
-  std::size_t face_at(const std::string& name, const std::string& place) const {
-    const int face = find_face(boundary_, name);
-    if (face == outside)
-      throw InputError(place, "there is no face \"" + name + "\"" + known_names(name, "faces", face_names(boundary_)));
-    return index(face);
-  }
-
-  void add_materials() {
-    std::vector<std::optional<DiffusionMaterial>> materials(boundary_.faces.size());
-    std::optional<DiffusionMaterial> others;
-    for (const auto& [name, given] : given_.materials) {
-      const std::string place = std::string(section) + "/materials" + pointer_step(name);
-      if (name == "*")
-        others = make_material(given, place);
-      else
-        materials[face_at(name, place)] = make_material(given, place);
-    }
-    std::vector<std::string> bare;
-    for (std::size_t f = 0; f < materials.size(); ++f) {
-      if (materials[f])
-        problem_.materials.push_back(std::move(*materials[f]));
-      else if (others)
-        problem_.materials.push_back(*others);
-      else
-        bare.push_back(boundary_.faces[f].name);
-    }
-    if (!bare.empty())
-      throw InputError(std::string(section) + "/materials",
-                       (bare.size() > 1 ? "the faces " : "the face ") + quote_names(bare) +
-                           (bare.size() > 1 ? " have" : " has") +
-                           " no material; \"*\" stands for all that are not named");
-  }
-
   // -- conditions
-
-  static std::string condition_place(std::size_t k) {
-    return std::string(section) + "/conditions/" + std::to_string(k);
-  }
 
   DiffusionCondition make_condition(const ProblemCondition& given, const std::string& place) {
     using Kind = DiffusionCondition::Kind;
@@ -181,82 +121,47 @@ class Builder {
     return condition;
   }
 
-  /// Sets condition k, which stands at `place`, on one curve.
-  void set_condition(std::size_t c, std::size_t k, const std::string& place) {
-    int& condition = problem_.condition_of_curve[c];
-    const std::string curve = describe_curve(boundary_, static_cast<int>(c));
-    if (condition != none)
-      throw InputError(place, curve + (index(condition) == k ? " is named twice here"
-                                                             : " has a condition already, that of conditions/" +
-                                                                   std::to_string(condition)));
-    const Curve& sides = boundary_.curves[c];
-    if (given_.conditions[k].kind == ProblemCondition::Kind::jump) {
-      if (sides.left == outside || sides.right == outside)
-        throw InputError(place, curve +
-                                    " is part of the outer boundary: the unknown can only jump between two faces; "
-                                    "\"robin\" lets it cross to an ambient");
-      if (sides.left == sides.right)
-        throw InputError(place, curve + " has the face \"" + boundary_.faces[index(sides.left)].name +
-                                    "\" on both sides: the unknown can only jump between two faces");
-    }
-    condition = static_cast<int>(k);
+  /// May condition k, which stands at `place`, stand on this curve?
+  void check_condition(std::size_t k, int c, const std::string& place) const {
+    if (given_.conditions[k].kind != ProblemCondition::Kind::jump) return;
+    const Curve& curve = boundary_.curves[index(c)];
+    if (is_outer(curve))
+      throw InputError(place, describe_curve(boundary_, c) +
+                                  " is part of the outer boundary: the unknown can only jump between two faces; "
+                                  "\"robin\" lets it cross to an ambient");
+    if (curve.left == curve.right)
+      throw InputError(place, describe_curve(boundary_, c) + " has the face \"" +
+                                  boundary_.faces[index(curve.left)].name +
+                                  "\" on both sides: the unknown can only jump between two faces");
   }
 
   void add_conditions() {
-    problem_.condition_of_curve.assign(boundary_.curves.size(), none);
-    std::map<std::string, std::vector<std::size_t>> curves;
-    for (std::size_t c = 0; c < boundary_.curves.size(); ++c) curves[boundary_.curves[c].name].push_back(c);
-    std::optional<std::pair<std::size_t, std::string>> others;  // which condition "*" has, and where it stands
-    for (std::size_t k = 0; k < given_.conditions.size(); ++k) {
-      const ProblemCondition& given = given_.conditions[k];
-      problem_.conditions.push_back(make_condition(given, condition_place(k)));
-      for (std::size_t n = 0; n < given.curves.size(); ++n) {
-        const std::string& name = given.curves[n];
-        const std::string place =
-            condition_place(k) + "/curve" + (given.curves.size() > 1 ? "/" + std::to_string(n) : "");
-        if (name == "*") {
-          if (others)
-            throw InputError(place,
-                             "\"*\" has a condition already, that of conditions/" + std::to_string(others->first));
-          others.emplace(k, place);
-          continue;
-        }
-        const auto found = curves.find(name);
-        if (found == curves.end())
-          throw InputError(place,
-                           "there is no curve \"" + name + "\"" + known_names(name, "curves", curve_names(boundary_)));
-        for (const std::size_t c : found->second) set_condition(c, k, place);
-      }
+    CurveConditions on_curves(boundary_, section_, [this](std::size_t k, int curve, const std::string& place) {
+      check_condition(k, curve, place);
+    });
+    for (const ProblemCondition& given : given_.conditions) {
+      problem_.conditions.push_back(make_condition(given, on_curves.place()));
+      on_curves.add(given.curves);
     }
-    if (!others) return;
-    for (std::size_t c = 0; c < boundary_.curves.size(); ++c) {
-      const Curve& curve = boundary_.curves[c];
-      if (problem_.condition_of_curve[c] == none && (curve.left == outside || curve.right == outside))
-        set_condition(c, others->first, others->second);
-    }
+    problem_.condition_of_curve = on_curves.finish();
   }
 
   // -- initial values
 
   void add_initial() {
-    problem_.initial.resize(boundary_.faces.size());
-    std::optional<Coefficient> others;
-    for (const auto& [name, expression] : given_.initial) {
-      std::string place = std::string(section) + "/initial";
-      if (given_.initial.size() > 1 || name != "*") place += pointer_step(name);
-      CompiledCoefficient compiled = names_.compile(expression, place);
-      if (compiled.uses_unknown)
-        throw InputError(place, "uses the unknown \"" + given_.field + "\", which has no values before these");
-      if (name == "*")
-        others = std::move(compiled.coefficient);
-      else
-        problem_.initial[face_at(name, place)] = std::move(compiled.coefficient);
-    }
-    if (!others) return;
-    for (std::optional<Coefficient>& each : problem_.initial)
-      if (!each) each = others;
+    const bool is_for_all = given_.initial.size() == 1 && given_.initial.front().first == "*";
+    problem_.initial = by_face(
+        boundary_, given_.initial,
+        [&](const std::string& name) { return section_ + "/initial" + (is_for_all ? "" : pointer_step(name)); },
+        [this](const ProblemExpression& expression, const std::string& place) {
+          CompiledCoefficient compiled = names_.compile(expression, place);
+          if (compiled.uses_unknown)
+            throw InputError(place, "uses the unknown \"" + given_.field + "\", which has no values before these");
+          return std::move(compiled.coefficient);
+        });
   }
 
+  std::string section_;
   const DiffuseSection& given_;
   const Mesh& mesh_;
   const BoundaryComplex& boundary_;
@@ -267,12 +172,6 @@ class Builder {
 }  // namespace
 
 DiffusionProblem make_diffusion_problem(const ProblemDocument& problem, const Mesh& mesh) {
-  if (!problem.diffuse) {
-    std::vector<std::string> sections;
-    for (const auto& [name, value] : problem.extra) sections.push_back(name);
-    throw InputError("/problem", "lacks the section \"diffuse\"" +
-                                     (sections.empty() ? "" : "; its other members are " + quote_names(sections)));
-  }
   return Builder(problem, mesh).build();
 }
 

@@ -117,13 +117,13 @@ class ProblemNames::FieldFormula {
   std::vector<double> values_;
 };
 
-ProblemNames::ProblemNames(const ProblemDocument& problem, const Mesh& mesh, const std::string& unknown)
+ProblemNames::ProblemNames(const ProblemDocument& problem, const Mesh& mesh, const std::string& unknown, int components)
     : unknown_(unknown) {
   names_.constants = parameter_values(problem);
   const std::vector<Field>& fields = mesh.fields();
   for (std::size_t f = 0; f < fields.size(); ++f) add_field(fields[f].name, fields[f].components, static_cast<int>(f));
   if (std::ranges::find(fields, unknown, &Field::name) == fields.end())
-    add_field(unknown, 1, static_cast<int>(fields.size()));
+    add_field(unknown, components, static_cast<int>(fields.size()));
   std::vector<std::string> parameters, variables;
   for (const auto& constant : names_.constants) parameters.push_back(constant.first);
   for (const auto& component : components_) variables.push_back(component.first);

@@ -29,9 +29,9 @@ struct CompiledCoefficient {
 /// and NAME_y where there are two, NAME_1, NAME_2 and so on where there are more.
 class ProblemNames {
  public:
-  /// The unknown is a scalar field that expressions may name also where the mesh does not have it yet.
-  /// Throws      InputError as parameter_values
-  ProblemNames(const ProblemDocument& problem, const Mesh& mesh, const std::string& unknown);
+  /// The unknown is a field, with so many components, that expressions may name also where the mesh does not have it
+  /// yet. Throws      InputError as parameter_values
+  ProblemNames(const ProblemDocument& problem, const Mesh& mesh, const std::string& unknown, int components = 1);
 
   /// A constant where the text uses no variable. The coefficient is called by its place and text. It looks fields up in
   /// the mesh that it is asked about, by name, and is not a number where that mesh lacks one. Its copies share one
