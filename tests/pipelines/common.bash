@@ -47,7 +47,7 @@ done
 needs() {
   case $1 in
     advect) printf '%s\n' --dt 0.01 --vx 0 --vy 0 ;;
-    diffuse) printf '%s\n' --problem "$scratch/problem.json" --dt 0.01 ;;
+    diffuse | navierstokes) printf '%s\n' --problem "$scratch/problem.json" --dt 0.01 ;;
   esac
 }
 # filter TOOL [ARGUMENTS...]
@@ -59,7 +59,8 @@ filter() {
   "$tool" "${required[@]}" "$@"
 }
 
-echo '{"format": "pliant-problem", "version": 1, "diffuse": {"field": "c", "materials": {"*": {}}, "initial": 1}}' >problem.json
+echo '{"format": "pliant-problem", "version": 1, "diffuse": {"field": "c", "materials": {"*": {}}, "initial": 1},
+  "navierstokes": {"materials": {"*": {"viscosity": 1}}, "conditions": [{"curve": "*", "velocity": [0, 0]}]}}' >problem.json
 sample_mesh disk 2 >disk.json
 sample_mesh three 2 >three.json
 sample_mesh tangled 2 >tangled.json

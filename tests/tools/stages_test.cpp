@@ -18,13 +18,15 @@ using namespace pliant::testing;
 
 namespace {
 
-/// A problem for `diffuse`, in a file that is there as long as the program runs.
+/// A problem for `diffuse` and `navierstokes`, in a file that is there as long as the program runs.
 class ProblemFile {
  public:
   ProblemFile()
       : name_((std::filesystem::temp_directory_path() / ("stages_problem_" + std::to_string(getpid()))).string()) {
     std::ofstream(name_) << R"json({"format": "pliant-problem", "version": 1, "parameters": {"k": 0.1}, "diffuse": {
-      "field": "heat", "materials": {"*": {"diffusivity": "k*(1+x^2)", "source": "sin(t)"}}, "initial": "x*y"}})json";
+      "field": "heat", "materials": {"*": {"diffusivity": "k*(1+x^2)", "source": "sin(t)"}}, "initial": "x*y"},
+      "navierstokes": {"materials": {"*": {"viscosity": 0.1}}, "force": ["k*y", "-k*x"],
+                       "conditions": [{"curve": "*", "velocity": [0, 0]}]}})json";
   }
   ~ProblemFile() { std::remove(name_.c_str()); }
   ProblemFile(const ProblemFile&) = delete;
@@ -43,6 +45,7 @@ std::string problem_file() {
 Pipe bare() {
   return {{"advect", "--flow", "shear", "--dt", "0.2"},
           {"diffuse", "--problem", problem_file(), "--dt", "0.1"},
+          {"navierstokes", "--problem", problem_file(), "--dt", "0.1"},
           {"flipdelaunay"},
           {"refine"},
           {"coarsen"},
@@ -56,6 +59,8 @@ Pipe with_options() {
        "--substeps", "2", "--limit", "--keep-area"},
       {"diffuse", "--problem", problem_file(), "--set", "k=0.2", "--flow", "shear", "--dt", "0.05", "--steps", "2",
        "--scheme", "crank-nicolson", "--limit"},
+      {"navierstokes", "--problem", problem_file(), "--dt", "0.05", "--steps", "2", "--scheme", "euler",
+       "--mesh-velocity", "blend", "--vorticity", "--keep-area"},
       {"flipdelaunay", "--max-flips", "20", "--projection", "l2"},
       {"refine", "--size", "0.3+0.1*x*x", "--max-area", "0.2", "--max-turning", "35", "--projection", "conservative"},
       {"coarsen", "--tolerance", "1e-2", "--step-tolerance", "5e-3", "--factor", "1.5", "--region-change", "conserve",
@@ -182,7 +187,7 @@ TEST_CASE("stages say what they do to time and to tangled meshes", "[tools]") {
     const auto stage = make_stage(name);
     REQUIRE(stage != nullptr);
     CHECK(name == stage->name());
-    CHECK(stage->advances_time() == (name == "advect" || name == "diffuse"));
+    CHECK(stage->advances_time() == (name == "advect" || name == "diffuse" || name == "navierstokes"));
     CHECK(stage->accepts_tangled() == (name == "smoothcurves"));
     CHECK_FALSE(stage->may_leave_tangled());
   }

@@ -12,6 +12,7 @@
 #include "stages/coarsen.h"
 #include "stages/diffuse.h"
 #include "stages/flipdelaunay.h"
+#include "stages/navierstokes.h"
 #include "stages/refine.h"
 #include "stages/smoothcurves.h"
 
@@ -33,6 +34,7 @@ std::unique_ptr<Stage> make() {
 constexpr std::array stages{
     Entry{"advect", make<AdvectStage>},
     Entry{"diffuse", make<DiffuseStage>},
+    Entry{"navierstokes", make<NavierStokesStage>},
     Entry{"flipdelaunay", make<FlipDelaunayStage>},
     Entry{"refine", make<RefineStage>},
     Entry{"coarsen", make<CoarsenStage>},
