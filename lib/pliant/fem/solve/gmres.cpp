@@ -25,12 +25,16 @@ struct Rotation {
   void turn(double& a, double& b) const { std::tie(a, b) = std::pair(cosine * a + sine * b, cosine * b - sine * a); }
 };
 
-/// One cycle from the residual r, until its norm has fallen by `reduction` or `most` iterations are made.
+/// One cycle from the residual r, until its norm has fallen by `reduction` or `most` iterations are made. Rows are
+/// scaled, so that great ones, as those of a great viscosity, do not hide what is left in others.
 class Cycle {
  public:
-  Cycle(const CsrMatrix& a, const LinearSolver& preconditioner, std::span<const double> r)
-      : a_(a), preconditioner_(preconditioner), unit_(norm(r)), left_{1} {
+  Cycle(const CsrMatrix& a, const LinearSolver& preconditioner, const std::vector<double>& scaling,
+        std::span<const double> r)
+      : a_(a), preconditioner_(preconditioner), scaling_(scaling), left_{1} {
     basis_.emplace_back(r.begin(), r.end());
+    for (std::size_t i = 0; i < r.size(); ++i) basis_.back()[i] *= scaling_[i];
+    unit_ = norm(basis_.back());
     for (double& each : basis_.back()) each /= unit_;
   }
 
@@ -60,8 +64,10 @@ class Cycle {
   /// One direction more. Returns     false where there is none, with nothing changed; or where it was the last
   bool extend(std::string& why) {
     std::vector<double> direction(basis_.back().size()), image(direction.size());
-    preconditioner_.apply(basis_.back(), direction);
+    for (std::size_t i = 0; i < image.size(); ++i) image[i] = basis_.back()[i] / scaling_[i];
+    preconditioner_.apply(image, direction);
     multiply(a_, direction, image);
+    for (std::size_t i = 0; i < image.size(); ++i) image[i] *= scaling_[i];
     const double size = norm(image);
     if (!std::isfinite(size) || size == 0) {
       why = size == 0 ? "the matrix is singular, or its preconditioner is" : "numbers leave their range";
@@ -102,7 +108,8 @@ class Cycle {
 
   const CsrMatrix& a_;
   const LinearSolver& preconditioner_;
-  double unit_;                                  // norm of the first residual
+  const std::vector<double>& scaling_;
+  double unit_;                                  // norm of the first residual, scaled
   std::vector<std::vector<double>> basis_;       // of residuals, orthonormal
   std::vector<std::vector<double>> directions_;  // of solutions: the preconditioner's
   std::vector<std::vector<double>> columns_;     // of the triangular factor of Hessenberg's matrix
@@ -119,6 +126,7 @@ SolveOutcome solve_by_gmres(const CsrMatrix& a, const LinearSolver& precondition
   refused.residual = HUGE_VAL;
   refused.why = refuse_non_finite(a);
   if (!refused.why.empty()) return refused;
+  const std::vector<double> scaling = symmetric_scaling(a);
   int remaining = options.most_iterations;
   return correct(a, b, x, options.tolerance, false,
                  [&](std::span<const double> r, double residual, std::span<double> y, std::string& why) {
@@ -126,7 +134,7 @@ SolveOutcome solve_by_gmres(const CsrMatrix& a, const LinearSolver& precondition
                      why = "GMRES does not get there";
                      return 0;
                    }
-                   Cycle cycle(a, preconditioner, r);
+                   Cycle cycle(a, preconditioner, scaling, r);
                    const int iterations =
                        cycle.run(std::min(remaining, options.restart), options.tolerance / residual, why);
                    cycle.add_to(y);

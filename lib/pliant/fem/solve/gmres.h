@@ -17,6 +17,9 @@ struct GmresOptions {
 /// matrix: that of the stage or of Newton's step before, or a symmetric part of A. No factor of A is made, so a near
 /// matrix is solved in the time of some solutions (tests/bench/README.md has figures).
 ///
+/// What a cycle reduces, by as much as the true residual must fall, is the residual with rows scaled as direct solvers
+/// scale them: the true one alone would say nothing of continuity where viscosities are great.
+///
 /// `x` holds a guess before, 0 if there is none, and the best solution found after. The same input gives the same bits.
 ///
 /// Requires    a preconditioner with as many rows as A, whose `factor` returned an empty text

@@ -74,9 +74,12 @@ std::unique_ptr<LinearSolver> make_direct_symmetric();
 /// LDL^T of saddle point systems [A B^T; B -C], A positive definite, C positive semi-definite (also none).
 /// `multipliers` says which unknowns are of the second block. There, `regularisation` times the diagonal of B
 /// diag(A)^-1 B^T is subtracted, with which the factors exist for every order of elimination; refinement takes it out
-/// of the solution. Consistent systems with a multiplier that is known up to a constant need nothing more.
+/// of the solution, of which one is always made. Consistent systems with a multiplier that is known up to a constant
+/// need nothing more.
 std::unique_ptr<LinearSolver> make_quasi_definite(const std::vector<bool>& multipliers, double regularisation = 1e-8);
-/// LU with a symmetric ordering, for general matrices.
+/// LU with a symmetric ordering, for general matrices. A matrix that is singular must be made regular first: where a
+/// multiplier is known up to a constant (the pressure of an enclosed flow) the last pivot is rounding, or 0, and the
+/// solution has a constant of any size. A row and column of the identity for one multiplier costs no digit.
 std::unique_ptr<LinearSolver> make_direct_general();
 
 /// Conjugate gradients for symmetric positive definite matrices, preconditioned by symmetric overrelaxation.
