@@ -46,7 +46,8 @@ Pipe bare() {
           {"flipdelaunay"},
           {"refine"},
           {"coarsen"},
-          {"smoothcurves"}};
+          {"smoothcurves"},
+          {"measure", "--face", "*:area", "--csv", "/dev/null"}};
 }
 
 /// Every stage once, with many of its options.
@@ -60,7 +61,10 @@ Pipe with_options() {
       {"refine", "--size", "0.3+0.1*x*x", "--max-area", "0.2", "--max-turning", "35", "--projection", "conservative"},
       {"coarsen", "--tolerance", "1e-2", "--step-tolerance", "5e-3", "--factor", "1.5", "--region-change", "conserve",
        "--keep-area", "--feature-size", "2"},
-      {"smoothcurves", "--max-distortion", "1.01", "--vertices", "--flips", "--split"}};
+      {"smoothcurves", "--max-distortion", "1.01", "--vertices", "--flips", "--split"},
+      {"measure", "--face", "*:area,n=integral(x*y),centre,circularity", "--curve", "*:length,flux(x,y)", "--at",
+       "0,0:x+t", "--value", "a=2*all_area", "--line", "0,0:1,1:5:x", "--csv", "/dev/null", "--lines-csv",
+       "/dev/null"}};
 }
 
 /// A document that carries a field, one by face, and a velocity.
