@@ -80,15 +80,17 @@ void MeasureStage::read_requests() {
 }
 
 void MeasureStage::check_files(const CLI::App& app) {
-  const bool both = !csv_.empty() && !lines_csv_.empty();
-  if (both && (csv_ == "-" ? lines_csv_ == "-" : lines_csv_ != "-" && is_same_file(csv_, lines_csv_)))
+  const auto is_one_file = [](const std::string& a, const std::string& b) {
+    if (a.empty() || b.empty() || a == "/dev/null") return false;
+    return a == "-" || b == "-" ? a == b : is_same_file(a, b);
+  };
+  if (is_one_file(csv_, lines_csv_))
     throw UsageError("--csv and --lines-csv are two tables, and cannot go to one file");
   for (const char* const option : {"INPUT", "--output", "--report"}) {
     const CLI::Option* const other = app.get_option_no_throw(option);
     if (other == nullptr || other->count() == 0) continue;
-    const auto path = other->as<std::string>();
     for (const std::string& table : {csv_, lines_csv_})
-      if (!table.empty() && table != "-" && path != "-" && path != "/dev/null" && is_same_file(path, table))
+      if (table != "-" && is_one_file(table, other->as<std::string>()))
         throw UsageError("'" + table + "' is both a table and " + option);
   }
   table_.reset();
