@@ -189,6 +189,18 @@ TEST_CASE("bounds of a field hold, and are reached", "[fem]") {
   CHECK(line->least + line->greatest == Approx(2).epsilon(1e-8));  // the disk is symmetric about its centre
 }
 
+TEST_CASE("bounds along a curve end where a field is constant but for its last digits", "[fem]") {
+  MeshData data = samples::disk(5, 16);
+  samples::add_field(data, "c", 1, [](const Point& p) { return std::vector{1e9 + 1e-7 * std::sin(1e6 * p.x)}; });
+  const Mesh mesh(std::move(data));
+  MeshFunction field(mesh, 0, 0);
+  const auto range = bounds(field, mesh, outline_of_face(mesh, 0));
+  REQUIRE(range);
+  CHECK(range->least == Approx(1e9).epsilon(1e-14));
+  CHECK(range->greatest == Approx(1e9).epsilon(1e-14));
+  CHECK(bounds(field, mesh, FaceId{0})->greatest == Approx(1e9).epsilon(1e-14));
+}
+
 TEST_CASE("measures are in the units of a document of extreme size", "[fem]") {
   const double factor = GENERATE(0x1p100, 0x1p-100);
   MeshData data = mapped_disk(2, {1, 0}, {0, 1}, {3, 0});

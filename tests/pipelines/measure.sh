@@ -153,6 +153,11 @@ mesh = json.load(open("force.json")); mesh["navierstokes"]["forces"] = json.load
   run 3 measure --csv new.csv --curve 'above:force' bad.json
   says '/navierstokes/forces'
 done
+# Names may hold what else separates the parts of a request.
+sed 's/"name":"above"/"name":"n=1:above, old"/g' mesh.json >named.json
+cmp -s named.json mesh.json && fail "no name was changed"
+run 0 measure --csv - --face 'n=1:above, old:area' --curve 'o=n=1:above, old:length' named.json
+[ "$(head -n 1 out)" = "time,n_1_above_old_area,o_length" ] || fail "names with signs: $(cat out)"
 # --explain says what the columns are, and writes neither tables nor meshes.
 run 0 measure --explain --csv new.csv --face 'above:area,mean(v)' --line '0,0:1,1:3:v' force.json
 grep -qx 'above_mean_v_y: mean of v_y over face "above"' out || fail "--explain: $(cat out)"

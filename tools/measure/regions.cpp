@@ -226,8 +226,16 @@ class Region {
 }  // namespace
 
 std::vector<MeasuredColumn> measure_region(const PlaceRequest& request, MeasuredFunctions& functions) {
-  Region region(request, functions);
-  for (const QuantityRequest& wanted : request.quantities) region.measure(wanted);
+  // Read again, now that it is known which names there are.
+  const BoundaryComplex& boundary = functions.mesh().boundary();
+  std::vector<std::string> names;
+  if (request.kind == PlaceRequest::Kind::face)
+    for (const Face& face : boundary.faces) names.push_back(face.name);
+  else
+    for (const Curve& curve : boundary.curves) names.push_back(curve.name);
+  const PlaceRequest own = parse_region(request.kind, request.source, names);
+  Region region(own, functions);
+  for (const QuantityRequest& wanted : own.quantities) region.measure(wanted);
   return region.take_columns();
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <optional>
 
 #include "formats/problem/names.h"
 #include "options/expression.h"
@@ -37,6 +38,16 @@ std::string take_part(std::string& text, const std::string& opening, const char*
   std::string part = text.substr(0, colon);
   text.erase(0, colon + 1);
   return part;
+}
+
+/// The longest of the names with which the text begins, and which a colon follows; both are cut off.
+std::optional<std::string> take_known(std::string& text, const std::vector<std::string>& names) {
+  const std::string* found = nullptr;
+  for (const std::string& name : names)
+    if (text.starts_with(name + ":") && (found == nullptr || name.size() > found->size())) found = &name;
+  if (found == nullptr) return {};
+  text.erase(0, found->size() + 1);
+  return *found;
 }
 
 Point parse_place(const std::string& opening, const std::string& text) {
@@ -93,15 +104,21 @@ PlaceRequest parse_point(const std::string& text, int number) {
   return request;
 }
 
-PlaceRequest parse_region(PlaceRequest::Kind kind, const std::string& text) {
+PlaceRequest parse_region(PlaceRequest::Kind kind, const std::string& text, const std::vector<std::string>& names) {
   const bool is_face = kind == PlaceRequest::Kind::face;
   const std::string opening = (is_face ? "--face " : "--curve ") + text;
   PlaceRequest request;
   request.kind = kind;
+  request.source = text;
   request.text = opening;
-  std::string rest = text;
-  const std::string name = take_name(rest);
-  request.target = take_part(rest, opening, is_face ? "[NAME=]FACE:QUANTITY" : "[NAME=]CURVE:QUANTITY");
+  std::string rest = text, name;
+  std::optional<std::string> target = take_known(rest, names);
+  if (!target) {
+    name = take_name(rest);
+    target = take_known(rest, names);
+  }
+  request.target =
+      target ? *target : take_part(rest, opening, is_face ? "[NAME=]FACE:QUANTITY" : "[NAME=]CURVE:QUANTITY");
   request.prefix = !name.empty() ? name : request.target == "*" ? (is_face ? "all" : "outer") : as_name(request.target);
   if (request.prefix.empty()) request.prefix = is_face ? "face" : "curve";
   request.quantities = parse_list(opening, rest, true);

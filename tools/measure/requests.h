@@ -23,7 +23,8 @@ struct PlaceRequest {
   std::string target;  ///< the name of the face or curve
   Point place;         ///< of a point
   std::vector<QuantityRequest> quantities;
-  std::string text;  ///< the whole one, for messages
+  std::string source;  ///< the text of the option
+  std::string text;    ///< with the option in front, for messages
 };
 
 /// "[NAME=]X0,Y0:X1,Y1:N:FIELD[,FIELD...]".
@@ -38,7 +39,9 @@ struct LineRequest {
 /// The texts of an option; `number` counts the requests of its kind from 1, for a name where none is given.
 /// Throws      UsageError that opens with the option and the text
 PlaceRequest parse_point(const std::string& text, int number);
-PlaceRequest parse_region(PlaceRequest::Kind kind, const std::string& text);
+/// A face or a curve is what stands before the first colon. Where names are given, one of these may have colons and
+/// more of what else would mean something: the longest that fits is taken.
+PlaceRequest parse_region(PlaceRequest::Kind kind, const std::string& text, const std::vector<std::string>& names = {});
 LineRequest parse_line(const std::string& text, int number);
 /// NAME=REST of --value and --set, where NAME can be used in expressions.
 std::pair<std::string, std::string> parse_named(const std::string& option, const std::string& text);

@@ -164,7 +164,11 @@ std::optional<Range> bounds(MeshFunction& field, const Mesh& mesh, const Outline
     const auto [low, high] = std::ranges::minmax(values);
     hull = {std::min(hull.least, low), std::max(hull.greatest, high)};
   }
-  SegmentMaximum greatest(width * (hull.greatest - hull.least)), least(width * (hull.greatest - hull.least));
+  // Below the rounding of the values nothing would be told apart, and halving would go on over noise.
+  constexpr double rounding = 4e-15;
+  const double allowed = std::max(width * (hull.greatest - hull.least),
+                                  rounding * std::max(std::abs(hull.greatest), std::abs(hull.least)));
+  SegmentMaximum greatest(allowed), least(allowed);
   for (std::size_t e = 0; e < outline.size(); ++e) {
     gather(outline[e]);
     greatest.take_in(values, e);

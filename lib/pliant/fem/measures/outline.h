@@ -31,7 +31,7 @@ Point centre_of_line(const Mesh& mesh, const Outline& outline);
 /// Throws      InputError where an expression is not finite
 double integrate(MeshFunction& function, const Mesh& mesh, const Outline& outline);
 double integrate_flux(MeshFunction& along_x, MeshFunction& along_y, const Mesh& mesh, const Outline& outline);
-/// The bounds of a field along an outline, to 1e-12 of their difference.   Requires    a field
+/// The bounds of a field along an outline, to 1e-12 of their difference, or rounding.   Requires    a field
 std::optional<Range> bounds(MeshFunction& field, const Mesh& mesh, const Outline& outline);
 
 /// Does the passage leave every vertex as often as it comes there?
