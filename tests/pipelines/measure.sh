@@ -135,6 +135,31 @@ PYTHON
 run 2 evolve --steps 1 'advect --flow shear --dt 0.1 | measure --csv - --face above:area' mesh.json
 says '--csv - does nothing to a mesh'
 
+# Through a curve between two faces counts what passes from its left to its right, and fields are seen from the left.
+cat >drop_boundary.json <<'JSON'
+{"format": "pliant-boundary", "version": 1, "vertices": [-3, -3, 3, -3, 3, 3, -3, 3], "faces": [{"name": "fluid"}, {"name": "drop"}],
+ "curves": [
+  {"name": "wall", "degree": 1, "closed": false, "knots": [0, 0, 1, 1], "points": [-3, -3, 3, -3], "start": 0, "end": 1, "left": 0, "right": null},
+  {"name": "wall", "degree": 1, "closed": false, "knots": [0, 0, 1, 1], "points": [3, -3, 3, 3], "start": 1, "end": 2, "left": 0, "right": null},
+  {"name": "wall", "degree": 1, "closed": false, "knots": [0, 0, 1, 1], "points": [3, 3, -3, 3], "start": 2, "end": 3, "left": 0, "right": null},
+  {"name": "wall", "degree": 1, "closed": false, "knots": [0, 0, 1, 1], "points": [-3, 3, -3, -3], "start": 3, "end": 0, "left": 0, "right": null},
+  {"name": "interface", "degree": 3, "closed": true, "knots": [0, 1, 2, 3, 4, 5, 6, 7, 8],
+   "points": [1, 0, 0.7, 0.7, 0, 1, -0.7, 0.7, -1, 0, -0.7, -0.7, 0, -1, 0.7, -0.7], "left": 1, "right": 0}]}
+JSON
+bspline2mesh --degree 3 --max-turning 30 --field 'v=3*x+y,2*y-x' --field 'p@drop=5' --field 'p@fluid=1' drop_boundary.json >drop.json
+run 0 measure --csv - --curve 'interface:flux(v),mean(p),area' --curve 'wall:flux(v)' --face 'drop:area,d=flux(v),integral(p),centre' \
+  --face 'fluid:area,f=flux(v),max(p)' --face '*:m=mean(p),a=flux(v)' drop.json
+python3 - <<'PYTHON' || fail "a drop in a box: $(cat out)"
+import csv
+row = {name: float(value) for name, value in next(csv.DictReader(open("out"))).items()}
+drop, fluid = row["drop_area"], row["fluid_area"]
+wanted = {"interface_area": drop, "interface_flux_v": 5 * drop, "interface_mean_p": 5, "wall_flux_v": -5 * 36, "d": 5 * drop,
+          "drop_integral_p": 5 * drop, "drop_centre_x": 0, "drop_centre_y": 0, "f": 5 * fluid, "fluid_max_p": 1, "a": 5 * 36,
+          "m": (5 * drop + fluid) / 36, "fluid_area": 36 - drop}
+assert 2 < drop < 3.2
+assert all(abs(row[name] - wanted[name]) < 1e-11 for name in wanted), (row, wanted)
+PYTHON
+
 # Forces are those that the mesh carries; parameters those of --set, before those of its problem.
 python3 - <<'PYTHON'
 import json
