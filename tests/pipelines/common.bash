@@ -48,6 +48,7 @@ needs() {
   case $1 in
     advect) printf '%s\n' --dt 0.01 --vx 0 --vy 0 ;;
     diffuse | navierstokes) printf '%s\n' --problem "$scratch/problem.json" --dt 0.01 ;;
+    measure) printf '%s\n' --face '*:area' --csv /dev/null ;;
   esac
 }
 # filter TOOL [ARGUMENTS...]

@@ -49,7 +49,8 @@ Pipe bare() {
           {"flipdelaunay"},
           {"refine"},
           {"coarsen"},
-          {"smoothcurves"}};
+          {"smoothcurves"},
+          {"measure", "--face", "*:area", "--csv", "/dev/null"}};
 }
 
 /// Every stage once, with many of its options.
@@ -65,7 +66,10 @@ Pipe with_options() {
       {"refine", "--size", "0.3+0.1*x*x", "--max-area", "0.2", "--max-turning", "35", "--projection", "conservative"},
       {"coarsen", "--tolerance", "1e-2", "--step-tolerance", "5e-3", "--factor", "1.5", "--region-change", "conserve",
        "--keep-area", "--feature-size", "2"},
-      {"smoothcurves", "--max-distortion", "1.01", "--vertices", "--flips", "--split"}};
+      {"smoothcurves", "--max-distortion", "1.01", "--vertices", "--flips", "--split"},
+      {"measure", "--face", "*:area,n=integral(x*y),centre,circularity", "--curve", "*:length,flux(x,y)", "--at",
+       "0,0:x+t", "--value", "a=2*all_area", "--line", "0,0:1,1:5:x", "--csv", "/dev/null", "--lines-csv",
+       "/dev/null"}};
 }
 
 /// A document that carries a field, one by face, and a velocity.
@@ -118,14 +122,24 @@ TEST_CASE("the pipes of these tests hold every stage", "[tools]") {
   }
 }
 
+namespace {
+
+/// Without the stage that wants degree 2 at least.
+Pipe for_degree(int degree, Pipe pipe) {
+  if (degree == 1) std::erase_if(pipe, [](const Words& words) { return words.front() == "navierstokes"; });
+  return pipe;
+}
+
+}  // namespace
+
 TEST_CASE("stages in one process give the bytes of the pipe of their tools", "[tools]") {
   const int degree = GENERATE(1, 2, 3, 4);
   CAPTURE(degree);
   const std::string document = degree == 1 ? document_of(Mesh(samples::three_disks(1))) : three_cells(degree);
   const std::string carrying = with_fields(document);
-  SECTION("at bare defaults") { check_equal(bare(), document, 3); }
-  SECTION("at bare defaults, with fields") { check_equal(bare(), carrying, 3); }
-  SECTION("with options") { check_equal(with_options(), carrying, 3); }
+  SECTION("at bare defaults") { check_equal(for_degree(degree, bare()), document, 3); }
+  SECTION("at bare defaults, with fields") { check_equal(for_degree(degree, bare()), carrying, 3); }
+  SECTION("with options") { check_equal(for_degree(degree, with_options()), carrying, 3); }
   SECTION("carried by dopri5, and by a field with its acceleration") {
     check_equal({{"advect", "--vx", "sin(y+t)", "--vy", "x/9", "--dt", "0.1", "--method", "dopri5", "--limit"},
                  {"flipdelaunay"},
@@ -144,7 +158,7 @@ TEST_CASE("stages in one process give the bytes of the pipe of their tools", "[t
     check_equal({{"advect", "--velocity-field", "v", "--dt", "0.3"}, {"flipdelaunay"}, {"coarsen"}}, carrying, 3);
   }
   SECTION("each pass alone, twice") {
-    for (const Words& words : with_options()) {
+    for (const Words& words : for_degree(degree, with_options())) {
       CAPTURE(words.front());
       check_equal({words}, carrying, 2);
     }

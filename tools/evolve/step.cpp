@@ -35,7 +35,8 @@ class StepParser {
     for (const StepCommand& command : step.commands) {
       step.stages.push_back(parse_command(command));
       const Stage& stage = *step.stages.back();
-      if (stage.explains()) fail(command.front(), std::string(stage.name()) + ": --explain does nothing to a mesh");
+      if (stage.explains())
+        fail(command.front(), std::string(stage.name()) + ": " + stage.explaining_option() + " does nothing to a mesh");
       if (!stage.advances_time()) continue;
       if (moves) fail(command.front(), "a second stage that moves time on; exactly one may");
       if (stage.own_end() != nullptr)

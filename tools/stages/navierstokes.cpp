@@ -8,6 +8,7 @@
 #include <string_view>
 #include <utility>
 
+#include "formats/document/flow_memory.h"
 #include "pliant/boundary/fault.h"
 #include "pliant/fem/error_norms.h"
 #include "pliant/geometry/index.h"
@@ -141,7 +142,7 @@ PassReport NavierStokesStage::run(Mesh& mesh, const StageContext& context) const
         else
           flow.initialise();
         if (vorticity_) flow.put_vorticity();
-        remember(mesh, {std::nullopt, flow.forces()});
+        remember_flow(mesh.extra, {std::nullopt, flow.forces()});
         if (context.wants_details) flow.report(report);
       } else {
         report = take_steps(problem, mesh, options, context);
@@ -169,7 +170,7 @@ AdvectOutcome NavierStokesStage::move(const FlowProblem& problem, Mesh& mesh, co
 PassReport NavierStokesStage::take_steps(const FlowProblem& problem, Mesh& mesh, const FlowOptions& options,
                                          const StageContext& context) const {
   PassReport report;
-  FlowMemory memory = recall(mesh);
+  FlowMemory memory = recall_flow(mesh.extra);
   double taken = 0;
   if (find_field(mesh, "velocity") == none) NavierStokes(problem, mesh, options).initialise();
   for (int k = 0; k < steps_; ++k) {
@@ -190,7 +191,7 @@ PassReport NavierStokesStage::take_steps(const FlowProblem& problem, Mesh& mesh,
   }
   for (auto& [name, value] : report.values)
     if (name == "dt") value = taken;
-  remember(mesh, memory);
+  remember_flow(mesh.extra, memory);
   return report;
 }
 

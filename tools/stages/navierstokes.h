@@ -7,7 +7,6 @@
 #include "options/problem_option.h"
 #include "pliant/fem/navier_stokes/mesh_velocity.h"
 #include "pliant/fem/navier_stokes/navier_stokes.h"
-#include "problem/flow_memory.h"
 #include "stages/stage.h"
 
 namespace pliant {

@@ -55,9 +55,11 @@ class Stage {
   virtual void add_options(CLI::App& app) = 0;
   /// Reads what was parsed, and compiles expressions; before any mesh is read.   Throws UsageError
   virtual void check(const CLI::App& app) = 0;
-  /// Do the options that were checked ask for an explanation of what the stage would do?
+  /// Do the options that were checked ask for text in place of meshes, as an explanation of what the stage would do?
   virtual bool explains() const { return false; }
-  /// That explanation, lines of text; the mesh is then of no further use.   Throws UsageError, InputError
+  /// The option that asks for it.
+  virtual const char* explaining_option() const { return "--explain"; }
+  /// That text, whole lines; the mesh is then of no further use.   Throws UsageError, InputError
   virtual std::string explanation(Mesh& /*mesh*/) const { return {}; }
   /// Works on a mesh: valid unless the stage accepts tangled ones, and in the numbering of its document, before and
   /// after. The report is in the units of the mesh (`run_stage` brings it into the document's).

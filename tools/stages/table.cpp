@@ -12,6 +12,7 @@
 #include "stages/coarsen.h"
 #include "stages/diffuse.h"
 #include "stages/flipdelaunay.h"
+#include "stages/measure.h"
 #include "stages/navierstokes.h"
 #include "stages/refine.h"
 #include "stages/smoothcurves.h"
@@ -39,6 +40,7 @@ constexpr std::array stages{
     Entry{"refine", make<RefineStage>},
     Entry{"coarsen", make<CoarsenStage>},
     Entry{"smoothcurves", make<SmoothCurvesStage>},
+    Entry{"measure", make<MeasureStage>},
 };
 // clang-format on
 
