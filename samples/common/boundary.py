@@ -5,7 +5,7 @@ import sys
 
 
 def circle(centre, radius, degree, spans):
-    """The control points of a closed spline with even knots that stands for a circle.
+    """The control points of a closed spline with even knots that stands for a circle; a knot is at its right.
 
     They lie on a circle, too, one that is larger by (x/sin x)^(degree + 1), where x is half of the angle of a span. The
     radius of the curve then is `radius` on average, and differs from it nowhere by more than about 2/spans^(degree + 1)
@@ -15,7 +15,7 @@ def circle(centre, radius, degree, spans):
     outside = radius if degree == 1 else radius * (half / math.sin(half)) ** (degree + 1)
     points = []
     for k in range(spans):
-        angle = 2 * half * k
+        angle = 2 * half * (k if degree % 2 else k + 0.5)
         points += [centre[0] + outside * math.cos(angle), centre[1] + outside * math.sin(angle)]
     return points
 
