@@ -172,7 +172,8 @@ PassReport NavierStokesStage::take_steps(const FlowProblem& problem, Mesh& mesh,
   PassReport report;
   FlowMemory memory = recall_flow(mesh.extra);
   double taken = 0;
-  if (find_field(mesh, "velocity") == none) NavierStokes(problem, mesh, options).initialise();
+  std::optional<NavierStokes> flow;
+  if (find_field(mesh, "velocity") == none) flow.emplace(problem, mesh, options).initialise();
   for (int k = 0; k < steps_; ++k) {
     const double before = mesh.time;
     std::vector<Point> from;
@@ -181,14 +182,18 @@ PassReport NavierStokesStage::take_steps(const FlowProblem& problem, Mesh& mesh,
     if (outcome.status == AdvectOutcome::Status::late && k > 0) break;
     report = std::move(outcome.report);
     if (outcome.status == AdvectOutcome::Status::late) break;
-    NavierStokes flow(problem, mesh, options);
-    flow.step(from, before, memory.dt);
+    // On a mesh that does not move, unknowns and the order of elimination serve all steps.
+    if (!flow || mesh_motion_ != MeshMotion::fixed) {
+      const FlowCounts counts = flow ? flow->counts : FlowCounts{};
+      flow.emplace(problem, mesh, options).counts = counts;
+    }
+    flow->step(from, before, memory.dt);
     taken += mesh.time - before;
-    memory = {mesh.time - before, flow.forces()};
-    if (context.wants_details) flow.report(report);
-    if (vorticity_) flow.put_vorticity();
+    memory = {mesh.time - before, flow->forces()};
     if (outcome.status != AdvectOutcome::Status::done) break;
   }
+  if (flow && vorticity_) flow->put_vorticity();
+  if (flow && context.wants_details) flow->report(report);
   for (auto& [name, value] : report.values)
     if (name == "dt") value = taken;
   remember_flow(mesh.extra, memory);

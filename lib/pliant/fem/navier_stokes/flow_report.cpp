@@ -44,9 +44,9 @@ std::string name_of(const Mesh& mesh, CurveId c) {
 void NavierStokes::report(PassReport& report) const {
   const double unit = mesh_.boundary().unit;
   report.add("unknowns", equation_.unknowns());
-  report.add("solves", solves_);
-  report.add("residual", worst_residual_);
-  report.add("euler_steps", euler_steps_);
+  report.add("solves", counts.solves);
+  report.add("residual", counts.worst_residual);
+  report.add("euler_steps", counts.euler_steps);
 
   double energy = 0, dissipation = 0, fastest = 0, divergence = 0;
   ElementMap map(mesh_.degree());

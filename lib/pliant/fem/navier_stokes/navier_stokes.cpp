@@ -93,18 +93,14 @@ void NavierStokes::solve(const Configuration& at, const FlowTerms& terms) {
   equation_.velocities().give(at, given);
   equation_.assemble(at, terms, given, matrix_, load);
   const bool is_symmetric = (terms.convecting.empty() && equation_.form().is_symmetric) || terms.projects;
-  std::unique_ptr<LinearSolver> solver;
-  if (is_symmetric) {
-    solver = make_quasi_definite(equation_.multipliers());
-  } else {
-    equation_.pin_pressures(matrix_, load);
-    solver = make_direct_general();
-  }
+  std::unique_ptr<LinearSolver>& solver = is_symmetric ? symmetric_solver_ : general_solver_;
+  if (solver == nullptr) solver = is_symmetric ? make_quasi_definite(equation_.multipliers()) : make_direct_general();
+  if (!is_symmetric) equation_.pin_pressures(matrix_, load);
   if (const std::string why = solver->factor(matrix_); !why.empty()) throw NoSolution(why);
   std::vector<double> x(load.size(), 0.0);
   const SolveOutcome outcome = solver->solve(load, x, solver_tolerance);
-  ++solves_;
-  worst_residual_ = std::max(worst_residual_, outcome.residual);
+  ++counts.solves;
+  counts.worst_residual = std::max(counts.worst_residual, outcome.residual);
   if (!outcome.converged) throw NoSolution(outcome.why);
   state_ = equation_.state(at, x, given);
 }
@@ -124,11 +120,11 @@ void NavierStokes::solve_steady() {
         continue;
       }
       raise /= 4;
-      if (raise >= least_raise && solves_ < most_solves) continue;
+      if (raise >= least_raise && counts.solves < most_solves) continue;
       std::ostringstream text;
       text
           << "Newton's method does not converge: with " << next << " of the convection the last iteration changed the "
-          << "velocity by " << last_change_ << " of it, with " << reached << " it has converged (" << solves_
+          << "velocity by " << last_change_ << " of it, with " << reached << " it has converged (" << counts.solves
           << " solutions in all); the flow may have no steady state that is stable: steps in time, a greater viscosity "
              "or a finer mesh help usually";
       throw NoSolution(text.str());
@@ -143,7 +139,7 @@ void NavierStokes::solve_steady() {
 bool NavierStokes::iterate(const Configuration& at, double convection) {
   const FlowState start = state_;
   double first = 0;
-  for (int k = 0; k < most_newton_iterations && solves_ < most_solves; ++k) {
+  for (int k = 0; k < most_newton_iterations && counts.solves < most_solves; ++k) {
     const std::vector<double> before = state_.velocity;
     FlowTerms terms;
     terms.convecting = before;
@@ -196,7 +192,7 @@ void NavierStokes::step(std::span<const Point> from, double t0, std::optional<do
   const double ratio = last_dt ? dt / *last_dt : 0;
   const bool is_bdf2 = options_.scheme == FlowOptions::Scheme::bdf2 && last_dt && !rate.empty() &&
                        ratio <= greatest_ratio && ratio > 0 && (!convects || from.empty() || !last_motion.empty());
-  if (!is_bdf2) ++euler_steps_;
+  if (!is_bdf2) ++counts.euler_steps;
   // rate of the velocity at the end: weight * (change in this step) / dt - (weight - 1) * (the same of the last step)
   const double weight = is_bdf2 ? (1 + 2 * ratio) / (1 + ratio) : 1;
 

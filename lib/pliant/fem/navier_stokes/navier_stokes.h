@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "pliant/fem/navier_stokes/flow_equation.h"
-#include "pliant/fem/solve/no_solution.h"
 #include "pliant/fem/solve/linear_solver.h"
+#include "pliant/fem/solve/no_solution.h"
 #include "pliant/mesh/pass_report.h"
 
 namespace pliant {
@@ -24,6 +24,13 @@ struct FlowOptions {
   bool mesh_follows = false;
   /// Curves that follow the flow have splines as velocities (VelocityUnknowns).
   bool by_splines = true;
+};
+
+/// What solving has taken.
+struct FlowCounts {
+  int solves = 0;             ///< of linear equations
+  double worst_residual = 0;  ///< the greatest of their relative residuals
+  int euler_steps = 0;        ///< steps that were of order 1
 };
 
 /// The flow of a problem on one mesh in memory. What one step leaves for the next one is in fields of the mesh, where
@@ -54,6 +61,8 @@ class NavierStokes {
   /// Makes the field `vorticity`, dv/dx - du/dy of the field `velocity`: its projection, continuous in each face.
   /// Throws      NoSolution
   void put_vorticity();
+  FlowCounts counts;  ///< of all that this object did; who makes several for one simulation hands them on
+
   /// By the name of the curve: the force of the fluid on curves that stay and whose velocity is given, by the residual
   /// of the last solution.
   const std::map<std::string, Vector>& forces() const { return forces_; }
@@ -81,9 +90,10 @@ class NavierStokes {
   FlowEquation equation_;
   FlowState state_;
   CsrMatrix matrix_;
+  std::unique_ptr<LinearSolver> symmetric_solver_,
+      general_solver_;  // kept: on one mesh the order of elimination serves again
   std::map<std::string, Vector> forces_;
-  double worst_residual_ = 0, last_change_ = 0;
-  int solves_ = 0, euler_steps_ = 0;
+  double last_change_ = 0;
 };
 
 }  // namespace pliant

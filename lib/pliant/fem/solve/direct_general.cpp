@@ -84,14 +84,20 @@ class DirectGeneral : public LinearSolver {
     a_ = &a;
     if (std::string why = refuse_non_finite(a); !why.empty() || a.rows() == 0) return why;
     scaling_ = symmetric_scaling(a);
-    elimination_ = order_by_minimum_degree(symmetric_shape(a));
-    if (entries_for_fill * elimination_.fill() > std::numeric_limits<int>::max())
+    const bool is_new = note_shape(a);
+    if (is_new) elimination_ = order_by_minimum_degree(symmetric_shape(a));
+    if (entries_for_fill * elimination_.fill() > std::numeric_limits<int>::max()) {
+      pattern_.reset();  // nothing of it serves another matrix
       throw std::length_error("the factors of " + std::to_string(a.rows()) + " rows have about " +
                               std::to_string(2 * elimination_.fill()) + " entries, more than can be numbered");
+    }
     const Sparse matrix = permuted(a, scaling_, elimination_);
-    lu_.isSymmetric(true);
-    lu_.setPivotThreshold(pivot_threshold);
-    lu_.compute(matrix);
+    if (is_new) {
+      lu_.isSymmetric(true);
+      lu_.setPivotThreshold(pivot_threshold);
+      lu_.analyzePattern(matrix);
+    }
+    lu_.factorize(matrix);
     if (lu_.info() == Eigen::Success) return {};
     const int row = failed_row();
     if (row < 0) return "the factors do not fit into memory";
@@ -117,6 +123,18 @@ class DirectGeneral : public LinearSolver {
   }
 
  private:
+  /// Remembers which entries are zero; false where they are those of the last matrix. What follows from them alone, the
+  /// order of elimination, then serves again.
+  bool note_shape(const CsrMatrix& a) {
+    std::vector<bool> shape;
+    shape.reserve(a.values.size());
+    for (const double value : a.values) shape.push_back(value != 0);
+    if (pattern_ == a.pattern && shape == shape_) return false;
+    pattern_ = a.pattern;
+    shape_ = std::move(shape);
+    return true;
+  }
+
   /// Eigen tells the column at which elimination ended in words only, counted from 1; no number: it was memory.
   int failed_row() const {
     const std::string text = lu_.lastErrorMessage();
@@ -131,6 +149,8 @@ class DirectGeneral : public LinearSolver {
 
   const CsrMatrix* a_ = nullptr;
   std::vector<double> scaling_;
+  std::shared_ptr<const CsrPattern> pattern_;  // of the last matrix
+  std::vector<bool> shape_;                    // which of its entries are not zero
   Elimination elimination_;
   Eigen::SparseLU<Sparse, OrderAsItIs> lu_;
 };
