@@ -85,7 +85,7 @@ class Region {
     static const std::vector<Quantity> list{
         {"area", [](Region& r) { r.add("", "area of", r.area().area); }},
         {"centre", [](Region& r) { r.add_point("centre of mass", r.area().centre); }},
-        {"perimeter", [](Region& r) { r.add("", "length of the outline of", measure_length(r.mesh_, r.outline_)); }},
+        {"perimeter", [](Region& r) { r.add("", "length of the outline of", r.perimeter()); }},
         {"circularity", [](Region& r) { r.add_circularity(); }},
         {"deformation", [](Region& r) { r.add_deformation(); }},
         {"inclination", [](Region& r) { r.add_inclination(); }}};
@@ -94,7 +94,7 @@ class Region {
 
   static const std::vector<Quantity>& curve_quantities() {
     static const std::vector<Quantity> list{
-        {"length", [](Region& r) { r.add("", "length of", measure_length(r.mesh_, r.outline_)); }},
+        {"length", [](Region& r) { r.add("", "length of", r.perimeter()); }},
         {"centre",
          [](Region& r) {
            r.add_point("centre of the line",
@@ -153,8 +153,7 @@ class Region {
 
   void add_circularity() {
     const double round = 2 * std::sqrt(std::numbers::pi * area().area);
-    add("", "circularity (perimeter of the circle of the same area, divided by the perimeter) of",
-        round / measure_length(mesh_, outline_));
+    add("", "circularity (perimeter of the circle of the same area, divided by the perimeter) of", round / perimeter());
   }
 
   void add_deformation() {
@@ -201,7 +200,12 @@ class Region {
     }
   }
 
-  double size() const { return is_face() ? measure_area(mesh_, face_).area : measure_length(mesh_, outline_); }
+  double size() { return is_face() ? area().area : perimeter(); }
+
+  double perimeter() {
+    if (!perimeter_) perimeter_ = measure_length(mesh_, outline_);
+    return *perimeter_;
+  }
 
   void measure_flux() {
     std::vector<NamedFunction> found;
@@ -224,6 +228,7 @@ class Region {
   std::vector<MeasuredColumn> columns_;
   std::optional<AreaAndCentre> area_;
   std::optional<Reach> reach_;
+  std::optional<double> perimeter_;
 };
 
 }  // namespace
