@@ -71,8 +71,6 @@ same notes.txt notes_kept.txt
 run 3 measure --csv kept.csv --at '-3.9,1.7:sqrt(-1-x*x)' mesh.json
 says 'sqrt(-1-x*x) is not finite at (-3.9, 1.7) and time 0.1'
 run 3 measure --csv new.csv --face '*:area' tangled.json
-run 3 measure --csv new.csv --curve 'above:force' mesh.json
-says 'carries no force on curve "above"'
 [ ! -e new.csv ] || fail "a refused mesh left a table"
 run 5 measure --csv nowhere/new.csv --face '*:area' mesh.json
 [ ! -w /dev/full ] || run 5 measure --csv /dev/full --face '*:area' mesh.json
@@ -172,6 +170,10 @@ run 0 measure --csv - --curve 'o=above:force' --value 'cd=2*o_force_x/(U*twice)'
 [ "$(tail -n 1 out)" = "0.1,0.25,-2,0.0625" ] || fail "the force: $(tail -n 1 out)"
 run 0 measure --csv - --curve 'o=above:force' --set U=1 --value 'cd=2*o_force_x/(U*twice)' force.json
 [ "$(tail -n 1 out)" = "0.1,0.25,-2,0.25" ] || fail "the force with --set: $(tail -n 1 out)"
+run 0 measure --csv - --curve 'above:force' mesh.json # nothing is solved yet
+[ "$(tail -n 1 out)" = "0.1,," ] || fail "no forces: $(tail -n 1 out)"
+run 3 measure --csv new.csv --curve 'below:force' force.json
+says 'carries no force on curve "below"'
 for forces in 3 '{"above": [1]}' '{"above": ["a", 2]}'; do
   python3 -c 'import json, sys
 mesh = json.load(open("force.json")); mesh["navierstokes"]["forces"] = json.loads(sys.argv[1]); json.dump(mesh, open("bad.json", "w"))' "$forces"

@@ -172,6 +172,11 @@ class Region {
 
   void add_force() {
     const FlowMemory memory = recall_flow(mesh_.extra);
+    if (memory.forces.empty()) {  // nothing is solved yet, as in the first frame of a run
+      add("_x", "x of the fluid's force on", no_value);
+      add("_y", "y of the fluid's force on", no_value);
+      return;
+    }
     const auto force = memory.forces.find(request_.target);
     std::vector<std::string> names;
     for (const auto& [name, each] : memory.forces) names.push_back(name);
