@@ -93,12 +93,22 @@ void NavierStokes::solve(const Configuration& at, const FlowTerms& terms) {
   equation_.velocities().give(at, given);
   equation_.assemble(at, terms, given, matrix_, load);
   const bool is_symmetric = (terms.convecting.empty() && equation_.form().is_symmetric) || terms.projects;
-  std::unique_ptr<LinearSolver>& solver = is_symmetric ? symmetric_solver_ : general_solver_;
-  if (solver == nullptr) solver = is_symmetric ? make_quasi_definite(equation_.multipliers()) : make_direct_general();
   if (!is_symmetric) equation_.pin_pressures(matrix_, load);
-  if (const std::string why = solver->factor(matrix_); !why.empty()) throw NoSolution(why);
   std::vector<double> x(load.size(), 0.0);
-  const SolveOutcome outcome = solver->solve(load, x, solver_tolerance);
+  const auto solve_by = [&](LinearSolver& solver) -> SolveOutcome {
+    if (std::string why = solver.factor(matrix_); !why.empty()) return {.why = std::move(why)};
+    return solver.solve(load, x, solver_tolerance);
+  };
+  std::unique_ptr<LinearSolver>& solver = is_symmetric ? symmetric_solver_ : general_solver_;
+  if (solver == nullptr)
+    solver = is_symmetric ? make_quasi_definite(equation_.multipliers()) : make_saddle_general(equation_.multipliers());
+  SolveOutcome outcome = solve_by(*solver);
+  if (!is_symmetric && !outcome.converged) {
+    // Factors without pivots have grown too much.
+    std::ranges::fill(x, 0.0);
+    if (pivoting_solver_ == nullptr) pivoting_solver_ = make_direct_general();
+    outcome = solve_by(*pivoting_solver_);
+  }
   ++counts.solves;
   counts.worst_residual = std::max(counts.worst_residual, outcome.residual);
   if (!outcome.converged) throw NoSolution(outcome.why);

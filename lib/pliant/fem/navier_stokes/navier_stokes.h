@@ -90,8 +90,8 @@ class NavierStokes {
   FlowEquation equation_;
   FlowState state_;
   CsrMatrix matrix_;
-  std::unique_ptr<LinearSolver> symmetric_solver_,
-      general_solver_;  // kept: on one mesh the order of elimination serves again
+  // Kept, since on one mesh the order of elimination serves again.
+  std::unique_ptr<LinearSolver> symmetric_solver_, general_solver_, pivoting_solver_;
   std::map<std::string, Vector> forces_;
   double last_change_ = 0;
 };

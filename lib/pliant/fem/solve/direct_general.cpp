@@ -12,6 +12,7 @@
 #include <Eigen/SparseLU>
 
 #include "pliant/fem/solve/elimination.h"
+#include "pliant/fem/solve/gmres.h"
 #include "pliant/fem/solve/residual.h"
 #include "pliant/geometry/index.h"
 
@@ -49,7 +50,9 @@ CsrMatrix symmetric_shape(const CsrMatrix& a) {
   return shape;
 }
 
-Sparse permuted(const CsrMatrix& a, const std::vector<double>& scaling, const Elimination& elimination) {
+/// S A S in the order of elimination; `shift`, if not empty, is added to its diagonal.
+Sparse permuted(const CsrMatrix& a, const std::vector<double>& scaling, const Elimination& elimination,
+                const std::vector<double>& shift) {
   const CsrPattern& pattern = *a.pattern;
   Sparse result(a.rows(), a.rows());
   int* const starts = result.outerIndexPtr();
@@ -60,7 +63,8 @@ Sparse permuted(const CsrMatrix& a, const std::vector<double>& scaling, const El
         const std::size_t j = index(pattern.columns[index(k)]);
         // A zero on the diagonal stays: the pattern that the order was made for has it.
         if (a.values[index(k)] != 0 || i == j)
-          visit(row, elimination.places[j], scaling[i] * a.values[index(k)] * scaling[j]);
+          visit(row, elimination.places[j],
+                scaling[i] * a.values[index(k)] * scaling[j] + (i == j && !shift.empty() ? shift[i] : 0));
       }
     }
   };
@@ -78,7 +82,12 @@ Sparse permuted(const CsrMatrix& a, const std::vector<double>& scaling, const El
 
 class DirectGeneral : public LinearSolver {
  public:
-  const char* name() const override { return "LU"; }
+  DirectGeneral() = default;
+  DirectGeneral(const std::vector<bool>& multipliers, double regularisation) {
+    for (const bool is_multiplier : multipliers) shift_.push_back(is_multiplier ? -regularisation : 0);
+  }
+
+  const char* name() const override { return shift_.empty() ? "LU" : "LU without pivoting"; }
 
   std::string factor(const CsrMatrix& a) override {
     a_ = &a;
@@ -91,10 +100,10 @@ class DirectGeneral : public LinearSolver {
       throw std::length_error("the factors of " + std::to_string(a.rows()) + " rows have about " +
                               std::to_string(2 * elimination_.fill()) + " entries, more than can be numbered");
     }
-    const Sparse matrix = permuted(a, scaling_, elimination_);
+    const Sparse matrix = permuted(a, scaling_, elimination_, shift_);
     if (is_new) {
       lu_.isSymmetric(true);
-      lu_.setPivotThreshold(pivot_threshold);
+      lu_.setPivotThreshold(shift_.empty() ? pivot_threshold : 0);
       lu_.analyzePattern(matrix);
     }
     lu_.factorize(matrix);
@@ -105,6 +114,7 @@ class DirectGeneral : public LinearSolver {
   }
 
   SolveOutcome solve(std::span<const double> b, std::span<double> x, double tolerance) const override {
+    if (!shift_.empty()) return solve_by_gmres(*a_, *this, b, x, {.tolerance = tolerance, .most_iterations = 40});
     std::vector<double> step(b.size());
     return correct(*a_, b, x, tolerance, true,
                    [&](std::span<const double> r, double, std::span<double> y, std::string&) {
@@ -148,6 +158,7 @@ class DirectGeneral : public LinearSolver {
   }
 
   const CsrMatrix* a_ = nullptr;
+  std::vector<double> shift_;  // of the diagonal, scaled; empty: none, and rows are exchanged
   std::vector<double> scaling_;
   std::shared_ptr<const CsrPattern> pattern_;  // of the last matrix
   std::vector<bool> shape_;                    // which of its entries are not zero
@@ -158,5 +169,9 @@ class DirectGeneral : public LinearSolver {
 }  // namespace
 
 std::unique_ptr<LinearSolver> make_direct_general() { return std::make_unique<DirectGeneral>(); }
+
+std::unique_ptr<LinearSolver> make_saddle_general(const std::vector<bool>& multipliers, double regularisation) {
+  return std::make_unique<DirectGeneral>(multipliers, regularisation);
+}
 
 }  // namespace pliant

@@ -81,6 +81,11 @@ std::unique_ptr<LinearSolver> make_quasi_definite(const std::vector<bool>& multi
 /// multiplier is known up to a constant (the pressure of an enclosed flow) the last pivot is rounding, or 0, and the
 /// solution has a constant of any size. A row and column of the identity for one multiplier costs no digit.
 std::unique_ptr<LinearSolver> make_direct_general();
+/// The same for saddle point matrices whose first block is not symmetric: nothing is pivoted, which keeps the fill that
+/// the order was made for, and as in make_quasi_definite a regularisation makes it possible; GMRES takes it out of the
+/// solution. Where convection is so strong that factors without pivots grow, it does not converge, and
+/// make_direct_general is for that.
+std::unique_ptr<LinearSolver> make_saddle_general(const std::vector<bool>& multipliers, double regularisation = 1e-8);
 
 /// Conjugate gradients for symmetric positive definite matrices, preconditioned by symmetric overrelaxation.
 std::unique_ptr<LinearSolver> make_conjugate_gradients();
