@@ -12,6 +12,7 @@
 #include "pliant/fem/error_norms.h"
 #include "pliant/geometry/index.h"
 #include "problem/diffusion.h"
+#include "problem/exact_solution.h"
 #include "problem/problem_names.h"
 #include "run/exit_status.h"
 
@@ -140,10 +141,9 @@ void DiffuseStage::add_errors(const ProblemDocument& document, const DiffusionPr
     // "FACE=" opens the text only if there is such a face: "a==b" is an expression.
     const std::size_t equals = text.find('=');
     const FaceId face = equals == std::string::npos ? outside : find_face(mesh.boundary(), text.substr(0, equals));
-    const CompiledCoefficient compiled = names.compile(face == outside ? text : text.substr(equals + 1), "--error");
-    if (compiled.uses_fields) throw UsageError("--error " + text + ": the expression may not name fields");
+    const Coefficient compared = exact_solution(names, text, face == outside ? text : text.substr(equals + 1));
     for (std::size_t f = 0; f < exact.size(); ++f)
-      if (face == outside || index(face) == f) exact[f] = compiled.coefficient;
+      if (face == outside || index(face) == f) exact[f] = compared;
   }
   const ErrorNorms norms = error_norms(mesh, problem.field, exact);
   report.add("error_l2", norms.l2);

@@ -13,6 +13,7 @@
 #include "pliant/fem/error_norms.h"
 #include "pliant/geometry/index.h"
 #include "pliant/mesh/interpolate_nodes.h"
+#include "problem/exact_solution.h"
 #include "problem/incompressible.h"
 #include "problem/problem_names.h"
 #include "run/exit_status.h"
@@ -207,9 +208,8 @@ void NavierStokesStage::add_errors(const ProblemDocument& document, const Mesh& 
     const std::size_t equals = text.find('=');
     const auto* const quantity =
         std::ranges::find_if(quantities, [&](const Quantity& q) { return text.substr(0, equals) == q.name; });
-    const CompiledCoefficient compiled = names.compile(text.substr(equals + 1), "--error");
-    if (compiled.uses_fields) throw UsageError("--error " + text + ": the expression may not name fields");
-    const std::vector<std::optional<Coefficient>> exact(mesh.boundary().faces.size(), compiled.coefficient);
+    const std::vector<std::optional<Coefficient>> exact(mesh.boundary().faces.size(),
+                                                        exact_solution(names, text, text.substr(equals + 1)));
     const ErrorNorms norms = error_norms(mesh, quantity->field, exact, quantity->component);
     report.add("error_l2:" + std::string(quantity->name), norms.l2);
     report.add("error_h1:" + std::string(quantity->name), norms.h1);

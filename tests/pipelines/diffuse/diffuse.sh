@@ -90,6 +90,8 @@ run 2 diffuse --problem heat.json --dt 0.1 --set q=1 mesh.json
 says 'k'
 run 2 diffuse --problem heat.json --dt 0.1 --error c mesh.json
 says 'fields'
+run 2 diffuse --problem heat.json --dt 0.1 --error 'sin(' mesh.json
+says '--error sin('
 run 2 evolve --steps 1 'diffuse --problem heat.json --dt 0.1 --explain' mesh.json
 run 3 diffuse --dt 0.1 mesh.json
 says '--problem'
