@@ -301,7 +301,7 @@ curve 'slit' (6), in 'plasma': the velocity is [0, 0]; the mesh follows the flow
 gravity: [0, -9.81]
 force per area: none (default)
 initial velocity: [k*y (k = 0.1), 0]
-pressure: by face, it may jump across curves where the fluid changes or surface tension acts (default)
+pressure: by face, it may jump across curves where the fluid changes, surface tension acts or a velocity or slip is given (default)
 the equations are those of Navier and Stokes; coefficients do not use the time or fields
 )");
 

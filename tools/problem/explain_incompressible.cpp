@@ -93,9 +93,9 @@ class Explainer {
     explain_vector("force per area", given_.force, "none (default)");
     explain_vector("initial velocity", given_.initial, "[0, 0] (default)");
     out_ << "pressure: "
-         << (flow_.pressure_by_face
-                 ? "by face, it may jump across curves where the fluid changes or surface tension acts"
-                 : "continuous")
+         << (flow_.pressure_by_face ? "by face, it may jump across curves where the fluid changes, surface tension "
+                                      "acts or a velocity or slip is given"
+                                    : "continuous")
          << (given_.pressure ? "" : " (default)") << '\n';
     const bool is_stokes = std::ranges::all_of(
         flow_.materials, [](const FlowMaterial& material) { return material.density.constant() == 0; });

@@ -15,7 +15,7 @@ bool are_alike(const Coefficient& a, const Coefficient& b) {
   return a.constant() && b.constant() && *a.constant() == *b.constant();
 }
 
-/// Where the pressure jumps: across curves between different fluids, and where surface tension acts.
+/// Where the pressure jumps: across curves between different fluids, where surface tension acts, and across walls.
 std::vector<char> find_jumping(const FlowProblem& problem, const Mesh& mesh) {
   std::vector<char> jumps;
   const auto& curves = mesh.boundary().curves;
@@ -25,7 +25,8 @@ std::vector<char> find_jumping(const FlowProblem& problem, const Mesh& mesh) {
     if (problem.pressure_by_face && left != outside && right != outside && left != right) {
       const FlowMaterial& here = problem.materials[index(left)];
       const FlowMaterial& there = problem.materials[index(right)];
-      jumps_here = problem.tensions[c].has_value() || !are_alike(here.density, there.density) ||
+      const int k = problem.condition_of_curve[c];
+      jumps_here = k != none || problem.tensions[c].has_value() || !are_alike(here.density, there.density) ||
                    !are_alike(here.viscosity, there.viscosity);
     }
     jumps.push_back(jumps_here);
@@ -39,8 +40,8 @@ FlowEquation::FlowEquation(const FlowProblem& problem, const Mesh& mesh, bool by
     : problem_(problem),
       mesh_(mesh),
       form_(choose_form(problem, mesh)),
-      velocities_(problem, mesh, by_splines),
       jumping_(find_jumping(problem, mesh)),
+      velocities_(problem, mesh, jumping_, by_splines),
       jumps_(std::ranges::any_of(jumping_, [](char each) { return each != 0; })),
       pressures_(Space::by_face(mesh, mesh.degree() - 1, jumping_)) {
   make_groups();

@@ -65,8 +65,8 @@ class FlowEquation {
   const FlowProblem& problem_;
   const Mesh& mesh_;
   FlowForm form_;
-  VelocityUnknowns velocities_;
   std::vector<char> jumping_;
+  VelocityUnknowns velocities_;
   bool jumps_;
   Space pressures_;
   /// Elements whose matrices have the same size. Those of the first kind have nothing but plain unknowns.

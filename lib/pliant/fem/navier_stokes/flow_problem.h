@@ -46,7 +46,7 @@ struct FlowProblem {
   std::array<Coefficient, 2> gravity{Coefficient(0), Coefficient(0)};  ///< force per mass
   std::array<Coefficient, 2> force{Coefficient(0), Coefficient(0)};    ///< force per area
   std::optional<std::array<Coefficient, 2>> initial;  ///< the velocity, where the mesh has none; none: 0
-  /// May the pressure jump across curves where the fluid changes or surface tension acts?
+  /// May the pressure jump across curves where the fluid changes, surface tension acts or there is a wall?
   bool pressure_by_face = true;
   bool depends_on_time = false;  ///< some coefficient uses the time, or a field; those of `initial` do not count
 };

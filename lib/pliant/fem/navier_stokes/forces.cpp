@@ -81,7 +81,9 @@ void NavierStokes::find_forces(const Configuration& at, const FlowTerms& terms) 
       if (!mesh_.is_constrained(h)) continue;
       const CurveId c = mesh_.constraint_curve(mesh_.constraint(h));
       const int k = problem_.condition_of_curve[index(c)];
-      if (k != none && problem_.conditions[index(k)].kind == FlowCondition::Kind::velocity)
+      if (k == none) continue;
+      const FlowCondition::Kind kind = problem_.conditions[index(k)].kind;
+      if (kind == FlowCondition::Kind::velocity || kind == FlowCondition::Kind::slip)
         use(h, mesh_.boundary().curves[index(c)].name, c);
     }
   };
@@ -119,9 +121,13 @@ void NavierStokes::find_forces(const Configuration& at, const FlowTerms& terms) 
       const AtPoint& mine = corner->second[name];
       forces_[name] += mine.direct + (mine.weight / weights) * rest;
     }
-  // A curve that moves feels the force, too, but no residual is known on splines.
+  // A curve that moves feels the force, too, but no residual is known on splines; nor is it where fluid glides, which
+  // has had its part at corners only.
   for_each_edge([&](HalfEdgeId, const std::string& name, CurveId c) {
-    if (problem_.motion_of_curve[index(c)] != CurveMotion::stays) forces_.erase(name);
+    const int k = problem_.condition_of_curve[index(c)];
+    if (problem_.motion_of_curve[index(c)] != CurveMotion::stays ||
+        problem_.conditions[index(k)].kind == FlowCondition::Kind::slip)
+      forces_.erase(name);
   });
 }
 

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <sstream>
 
 #include "pliant/boundary/fault.h"
@@ -19,6 +20,8 @@ using Kind = FlowCondition::Kind;
 /// An enclosed flow may have this part of what crosses its boundary as a net flux: the rounding of expressions, and of
 /// quadrature.
 constexpr double greatest_net_flux = 1e-6;
+
+constexpr int most_sweeps = 100;  // over parts that share walls
 
 bool is_zero(const FlowCondition& condition) {
   return condition.first.constant() == 0.0 && condition.second.constant() == 0.0;
@@ -67,62 +70,78 @@ void VelocityUnknowns::give(const Configuration& at, std::span<double> values) c
       values[2 * index(to) + component] += weight * values[2 * index(from) + component];
 }
 
-void VelocityUnknowns::correct_fluxes(const Configuration& at, std::span<double> values) const {
-  if (std::ranges::none_of(enclosed_, [](char each) { return each != 0; })) return;
-  // For each part: what leaves it by the functions that were given, by their interpolants, what crosses, and the
-  // squares of the normals, along which the interpolants are corrected.
-  struct Balance {
-    double given = 0, net = 0, crossing = 0, normals = 0;
-  };
+/// What leaves one part of the mesh by the functions that were given, and by the values of its control points: the sum
+/// of values times normals. The values of those with given normals may be corrected.
+struct VelocityUnknowns::Balance {
+  double given = 0, crossing = 0;
+  std::map<PointId, Vector> normals, given_normals;
+  FaceId face = none;
+};
+
+std::vector<VelocityUnknowns::Balance> VelocityUnknowns::balance_fluxes(const Configuration& at) const {
   std::vector<Balance> balances(enclosed_.size());
-  std::vector<Vector> normals(values.size() / 2), given_normals(values.size() / 2);
   EdgeMap map(mesh_.degree());
   const double unit = mesh_.boundary().unit;
-  for (std::size_t c = 0; c < edges_.size(); ++c) {
-    const int k = problem_.condition_of_curve[c];
+  for (const HalfEdgeId h : mesh_.half_edges()) {
+    const HalfEdgeId twin = mesh_.twin(h);
+    const int part = part_of(triangle_of(h));
+    if (enclosed_[index(part)] == 0 || (twin != none && part_of(triangle_of(twin)) == part)) continue;
+    const int k = problem_.condition_of_curve[index(mesh_.constraint_curve(mesh_.constraint(h)))];
     const FlowCondition* const condition = k == none ? nullptr : &problem_.conditions[index(k)];
     const bool crosses = condition != nullptr && condition->kind == Kind::velocity && !is_zero(*condition);
-    for (const HalfEdgeId h : edges_[c]) {
-      if (mesh_.twin(h) != none) continue;
-      map.set(mesh_, at.points, h);
-      Balance& balance = balances[index(part_of_point_[index(mesh_.origin(h))])];
-      for (int q = 0; q < map.points(); ++q) {
-        const Vector outward = map.weight(q) * Vector{map.along(q).y, -map.along(q).x};
-        for (int i = 0; i <= mesh_.degree(); ++i) {
-          const Vector normal = map.values_at(q)[index(i)] * outward;
-          normals[index(mesh_.edge_point(h, i))] += normal;
-          if (crosses) given_normals[index(mesh_.edge_point(h, i))] += normal;
-        }
-        if (!crosses) continue;
-        const CoefficientPoint there{mesh_, triangle_of(h), map.xi(q), unit * map.place(q), at.time};
-        const Vector velocity{evaluate_at(condition->first, there), evaluate_at(condition->second, there)};
-        balance.given += dot(velocity, outward);
-        balance.crossing += std::abs(dot(velocity, outward));
+    map.set(mesh_, at.points, h);
+    Balance& balance = balances[index(part)];
+    balance.face = mesh_.face(triangle_of(h));
+    for (int q = 0; q < map.points(); ++q) {
+      const Vector outward = map.weight(q) * Vector{map.along(q).y, -map.along(q).x};
+      for (int i = 0; i <= mesh_.degree(); ++i) {
+        const Vector normal = map.values_at(q)[index(i)] * outward;
+        balance.normals[mesh_.edge_point(h, i)] += normal;
+        if (crosses) balance.given_normals[mesh_.edge_point(h, i)] += normal;
       }
+      if (!crosses) continue;
+      const CoefficientPoint there{mesh_, triangle_of(h), map.xi(q), unit * map.place(q), at.time};
+      const Vector velocity{evaluate_at(condition->first, there), evaluate_at(condition->second, there)};
+      balance.given += dot(velocity, outward);
+      balance.crossing += std::abs(dot(velocity, outward));
     }
   }
-  for (std::size_t p = 0; p < normals.size(); ++p) {
-    Balance& balance = balances[index(part_of_point_[p])];
-    balance.net += values[2 * p] * normals[p].x + values[2 * p + 1] * normals[p].y;
-    balance.normals += squared_length(given_normals[p]);
-  }
-  for (std::size_t part = 0; part < balances.size(); ++part) {
-    const Balance& balance = balances[part];
-    if (enclosed_[part] == 0 || std::abs(balance.given) <= greatest_net_flux * balance.crossing) continue;
+  return balances;
+}
+
+void VelocityUnknowns::correct_fluxes(const Configuration& at, std::span<double> values) const {
+  if (std::ranges::none_of(enclosed_, [](char each) { return each != 0; })) return;
+  const double unit = mesh_.boundary().unit;
+  const std::vector<Balance> balances = balance_fluxes(at);
+  for (const Balance& balance : balances) {
+    if (std::abs(balance.given) <= greatest_net_flux * balance.crossing) continue;
     std::ostringstream text;
-    text << "the velocity is given on the whole outer boundary, but at time " << describe_number(at.time) << " "
-         << describe_number(unit * std::abs(balance.given)) << " (area per time) more "
-         << (balance.given > 0 ? "leaves" : "enters") << " than " << (balance.given > 0 ? "enters" : "leaves")
-         << ", of " << describe_number(unit * balance.crossing)
+    text << "the velocity is given on the whole "
+         << (balances.size() > 1 ? "boundary of the face \"" + mesh_.boundary().faces[index(balance.face)].name + "\""
+                                 : "outer boundary")
+         << ", but at time " << describe_number(at.time) << " " << describe_number(unit * std::abs(balance.given))
+         << " (area per time) more " << (balance.given > 0 ? "leaves" : "enters") << " than "
+         << (balance.given > 0 ? "enters" : "leaves") << ", of " << describe_number(unit * balance.crossing)
          << " that crosses it: an incompressible fluid needs equal amounts, or a curve with outflow";
     throw InputError("/problem/navierstokes/conditions", text.str());
   }
-  for (std::size_t p = 0; p < normals.size(); ++p) {
-    const std::size_t part = index(part_of_point_[p]);
-    if (enclosed_[part] == 0 || !(balances[part].normals > 0)) continue;
-    const double by = balances[part].net / balances[part].normals;
-    values[2 * p] -= by * given_normals[p].x;
-    values[2 * p + 1] -= by * given_normals[p].y;
+  // Parts share walls, whose values count for both: one part is corrected after the other until none needs it.
+  bool changes = true;
+  for (int sweep = 0; sweep < most_sweeps && changes; ++sweep) {
+    changes = false;
+    for (const Balance& balance : balances) {
+      double net = 0, squares = 0;
+      for (const auto& [p, normal] : balance.normals)
+        net += values[2 * index(p)] * normal.x + values[2 * index(p) + 1] * normal.y;
+      for (const auto& [p, normal] : balance.given_normals) squares += squared_length(normal);
+      if (!(squares > 0)) continue;
+      changes = changes || std::abs(net) > 0x1p-50 * balance.crossing;
+      for (const auto& [p, normal] : balance.given_normals) {
+        values[2 * index(p)] -= net / squares * normal.x;
+        values[2 * index(p) + 1] -= net / squares * normal.y;
+      }
+    }
+    if (balances.size() == 1) return;
   }
 }
 

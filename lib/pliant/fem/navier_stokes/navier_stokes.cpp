@@ -17,6 +17,7 @@ namespace {
 constexpr int most_newton_iterations = 15;
 constexpr int most_solves = 150;            // of a steady flow, over all parts of convection
 constexpr double newton_tolerance = 1e-11;  // of the change in one iteration, relative to the velocity
+constexpr double newton_rounding = 1e-12;   // ... and to velocities that rounding makes
 constexpr double greatest_growth = 1e4;     // a change that has grown so much does not come back
 constexpr double least_raise = 1.0 / 1024;  // of convection, between two solutions
 constexpr double greatest_ratio = 2;        // of a step's length to the last one's, for bdf2
@@ -113,6 +114,21 @@ void NavierStokes::solve(const Configuration& at, const FlowTerms& terms) {
   counts.worst_residual = std::max(counts.worst_residual, outcome.residual);
   if (!outcome.converged) throw NoSolution(outcome.why);
   state_ = equation_.state(at, x, given);
+  if (terms.newton) rounded_ = velocity_of_terms(load, x);
+}
+
+double NavierStokes::velocity_of_terms(std::span<const double> load, std::span<const double> x) const {
+  std::vector<double> velocities;
+  for (int i = 0; i < equation_.velocities().size(); ++i) {
+    double sum = std::abs(load[index(i)]), diagonal = 0;
+    for (int k = matrix_.pattern->starts[index(i)]; k < matrix_.pattern->starts[index(i) + 1]; ++k) {
+      const int column = matrix_.pattern->columns[index(k)];
+      sum += std::abs(matrix_.values[index(k)] * x[index(column)]);
+      if (column == i) diagonal = std::abs(matrix_.values[index(k)]);
+    }
+    if (diagonal > 0) velocities.push_back(sum / diagonal);
+  }
+  return norm(velocities);
 }
 
 void NavierStokes::solve_without_convection(const Configuration& at) { solve(at, FlowTerms{}); }
@@ -159,7 +175,7 @@ bool NavierStokes::iterate(const Configuration& at, double convection) {
     std::vector<double> change = state_.velocity;
     for (std::size_t i = 0; i < change.size(); ++i) change[i] -= before[i];
     last_change_ = norm(change) / std::max(norm(state_.velocity), 1e-300);
-    if (last_change_ <= newton_tolerance) return true;
+    if (last_change_ <= newton_tolerance || norm(change) <= newton_rounding * rounded_) return true;
     if (k == 0) first = last_change_;
     if (!(last_change_ <= greatest_growth * first)) break;
   }

@@ -79,6 +79,9 @@ class NavierStokes {
   void put_scalar(const char* name, std::span<const double> element_values, bool by_face);
   /// Solves one linear equation; the result is in state_.
   void solve(const Configuration& at, const FlowTerms& terms);
+  /// How fast the terms of each equation would make its unknown, if they did not cancel: where a flow rests, its
+  /// velocity is the rounding of these.
+  double velocity_of_terms(std::span<const double> load, std::span<const double> x) const;
   void solve_without_convection(const Configuration& at);
   /// Newton's method from state_ with this part of convection; false, and state_ unchanged, where it does not converge.
   bool iterate(const Configuration& at, double convection);
@@ -93,7 +96,7 @@ class NavierStokes {
   // Kept, since on one mesh the order of elimination serves again.
   std::unique_ptr<LinearSolver> symmetric_solver_, general_solver_, pivoting_solver_;
   std::map<std::string, Vector> forces_;
-  double last_change_ = 0;
+  double last_change_ = 0, rounded_ = 0;
 };
 
 }  // namespace pliant

@@ -24,21 +24,22 @@ constexpr double corner_sine = 0.1;
 /// Places carry unknowns: the control points of edges and elements, and the coefficients of splines.
 class VelocityUnknowns::Builder {
  public:
-  Builder(VelocityUnknowns& result, bool by_splines)
+  Builder(VelocityUnknowns& result, std::span<const char> jumps, bool by_splines)
       : to_(result), mesh_(result.mesh_), problem_(result.problem_), sums_(index(mesh_.point_slots())) {
     places_.resize(index(mesh_.point_slots()));
     if (by_splines) add_splines();
     for (std::size_t c = 0; c < to_.edges_.size(); ++c)
       for (const HalfEdgeId h : to_.edges_[c]) apply_condition(static_cast<CurveId>(c), h);
     number();
-    find_parts();
+    find_parts(jumps);
   }
 
  private:
   struct Place {
     bool is_fixed = false, is_slip = false;
     Vector normal;                // of slip: the integral of the normal times the basis function
-    std::vector<Vector> corners;  // of slip: unit normals of edges that end here
+    std::vector<Vector> corners;  // of slip: unit normals of edges that end here, outward ones on the outer boundary
+    bool is_outer = false;        // of slip: the normals are outward ones
     int first = -1;               // unknown
   };
 
@@ -106,12 +107,14 @@ class VelocityUnknowns::Builder {
       Vector normal;
       for (int q = 0; q < map_.points(); ++q)
         normal += map_.weight(q) * map_.values_at(q)[index(k)] * Vector{map_.along(q).y, -map_.along(q).x};
-      // An edge that runs backwards on the other side has the opposite normal; which way it points does not matter,
-      // but edges of one curve must agree.
-      if (!mesh_.runs_forward(h)) normal = -1.0 * normal;
       const PointId point = mesh_.edge_point(h, k);
+      // Normals of one curve agree, and those of the outer boundary. Which way curves run inside is free: where two
+      // meet, one normal counts as it is.
+      const bool is_outer = mesh_.twin(h) == none;
+      if (!is_outer && (k == 0 || k == p) && dot(places_[index(point)].normal, normal) < 0) normal = -1.0 * normal;
       for (const auto& [place, weight] : sum(point)) {
         places_[index(place)].is_slip = true;
+        places_[index(place)].is_outer = is_outer;
         places_[index(place)].normal += weight * normal;
       }
       if (k > 0 && k < p) continue;
@@ -122,11 +125,13 @@ class VelocityUnknowns::Builder {
     }
   }
 
-  /// Corners of slip walls hold the fluid.
+  /// Corners of slip walls hold the fluid, and so do cusps.
   void hold_corners() {
     for (Place& place : places_)
       for (const Vector& normal : place.corners)
-        if (std::abs(cross(normal, place.corners[0])) > corner_sine) place.is_fixed = true;
+        if (std::abs(cross(normal, place.corners[0])) > corner_sine ||
+            (place.is_outer && dot(normal, place.corners[0]) < 0))
+          place.is_fixed = true;
   }
 
   int unknown(Place& place) {
@@ -166,31 +171,42 @@ class VelocityUnknowns::Builder {
     }
   }
 
-  void find_parts() {
-    std::vector<int> parent(index(mesh_.point_slots()));
+  bool is_wall(CurveId c) const {
+    const FlowCondition* const on_it = condition(c);
+    return on_it != nullptr && (on_it->kind == Kind::velocity || on_it->kind == Kind::slip);
+  }
+
+  void find_parts(std::span<const char> jumps) {
+    std::vector<int> parent(index(mesh_.triangle_slots()));
     std::iota(parent.begin(), parent.end(), 0);
     const auto root = [&parent](int i) {
       while (parent[index(i)] != i) i = parent[index(i)] = parent[index(parent[index(i)])];
       return i;
     };
+    const auto curve = [this](HalfEdgeId h) {
+      return mesh_.is_constrained(h) ? mesh_.constraint_curve(mesh_.constraint(h)) : none;
+    };
+    std::map<std::pair<PointId, FaceId>, TriangleId> at_corner;  // a face has one pressure there
     for (TriangleId t = 0; t < mesh_.triangle_slots(); ++t)
-      for (const PointId p : mesh_.net(t)) parent[index(root(p))] = root(mesh_.corner(t, 0));
-    std::vector<int> numbers(parent.size(), -1);
-    to_.part_of_point_.resize(parent.size());
-    int parts = 0;
-    for (std::size_t p = 0; p < parent.size(); ++p) {
-      int& number = numbers[index(root(static_cast<int>(p)))];
-      if (number < 0) number = parts++;
-      to_.part_of_point_[p] = number;
-    }
-    to_.enclosed_.assign(index(parts), 1);
-    for (std::size_t c = 0; c < to_.edges_.size(); ++c)
-      for (const HalfEdgeId h : to_.edges_[c]) {
-        if (mesh_.twin(h) != none) continue;
-        const FlowCondition* const on_it = condition(static_cast<CurveId>(c));
-        if (on_it == nullptr || on_it->kind == Kind::traction || on_it->kind == Kind::outflow)
-          to_.enclosed_[index(to_.part_of_point_[index(mesh_.origin(h))])] = 0;
+      for (int e = 0; e < 3; ++e) {
+        const TriangleId other = at_corner.try_emplace({mesh_.corner(t, e), mesh_.face(t)}, t).first->second;
+        parent[index(root(t))] = root(other);
+        const HalfEdgeId h = half_edge(t, e), twin = mesh_.twin(h);
+        const CurveId c = curve(h);
+        if (twin != none && (c == none || jumps[index(c)] == 0 || !is_wall(c)))
+          parent[index(root(t))] = root(triangle_of(twin));
       }
+    std::vector<int> numbers(parent.size(), none);
+    for (TriangleId t = 0; t < mesh_.triangle_slots(); ++t) {
+      int& number = numbers[index(root(t))];
+      if (number == none) {
+        number = static_cast<int>(to_.enclosed_.size());
+        to_.enclosed_.push_back(1);
+      }
+      to_.part_of_triangle_.push_back(number);
+    }
+    for (const HalfEdgeId h : mesh_.half_edges())
+      if (mesh_.twin(h) == none && !is_wall(curve(h))) to_.enclosed_[index(to_.part_of(triangle_of(h)))] = 0;
   }
 
   VelocityUnknowns& to_;
@@ -201,9 +217,10 @@ class VelocityUnknowns::Builder {
   std::vector<Place> places_;                // the control points, then coefficients
 };
 
-VelocityUnknowns::VelocityUnknowns(const FlowProblem& problem, const Mesh& mesh, bool by_splines)
+VelocityUnknowns::VelocityUnknowns(const FlowProblem& problem, const Mesh& mesh, std::span<const char> jumps,
+                                   bool by_splines)
     : problem_(problem), mesh_(mesh), edges_(curve_edges(mesh)) {
-  Builder(*this, by_splines);
+  Builder(*this, jumps, by_splines);
 }
 
 void VelocityUnknowns::expand(std::span<const double> unknowns, std::span<double> values) const {

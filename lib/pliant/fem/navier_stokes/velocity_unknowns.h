@@ -21,11 +21,11 @@ class VelocityUnknowns {
     double weight;
   };
 
-  /// `by_splines` says whether curves that follow the flow have splines as velocities; if not, velocities on them
-  /// are those of the edges.
+  /// `jumps` says across which curves the pressure may jump. `by_splines` says whether curves that follow the flow have
+  /// splines as velocities; if not, velocities on them are those of the edges.
   /// Requires    a compact mesh, valid elements
   /// Complexity  O(mesh)
-  VelocityUnknowns(const FlowProblem& problem, const Mesh& mesh, bool by_splines);
+  VelocityUnknowns(const FlowProblem& problem, const Mesh& mesh, std::span<const char> jumps, bool by_splines);
 
   int size() const { return size_; }
   /// What the x (component 0) or the y (component 1) of a control point is a sum of, beside what is given.
@@ -41,14 +41,15 @@ class VelocityUnknowns {
   /// Does a condition give a part of the velocity at a control point?
   bool has_given(PointId p) const { return has_given_[index(p)] != 0; }
 
-  /// For each element: the part of the mesh that it belongs to, where each part is connected; and whether the flow of a
-  /// part is enclosed: its velocity is given across the whole of its outer boundary, so that what enters must leave.
-  int part_of(TriangleId t) const { return part_of_point_[index(mesh_.corner(t, 0))]; }
+  /// For each element: the part of the mesh that it belongs to, where each part is connected, and ends at walls inside
+  /// the mesh across which the pressure jumps; and whether the flow of a part is enclosed: its velocity is given across
+  /// the whole of its boundary, so that what enters must leave.
+  int part_of(TriangleId t) const { return part_of_triangle_[index(t)]; }
   bool is_enclosed(int part) const { return enclosed_[index(part)] != 0; }
   const std::vector<char>& enclosed() const { return enclosed_; }
 
   /// The given parts at all control points, 0 elsewhere: interpolants on edges. In an enclosed flow they are corrected,
-  /// by what interpolation changed of the flux, so that nothing enters.
+  /// by what interpolation changed of the flux, so that as much leaves as enters.
   /// Shapes      values: point_slots x 2
   /// Throws      InputError where a coefficient is not finite, and where more enters an enclosed flow than leaves it
   void give(const Configuration& at, std::span<double> values) const;
@@ -61,6 +62,8 @@ class VelocityUnknowns {
     double weight;
   };
   class Builder;
+  struct Balance;
+  std::vector<Balance> balance_fluxes(const Configuration& at) const;
   void correct_fluxes(const Configuration& at, std::span<double> values) const;
 
   const FlowProblem& problem_;
@@ -75,7 +78,7 @@ class VelocityUnknowns {
     double weight;
   };
   std::vector<GivenTerm> given_terms_;  // at points of splines whose ends have given values
-  std::vector<int> part_of_point_;
+  std::vector<int> part_of_triangle_;
   std::vector<char> enclosed_;  // for each part
 };
 
