@@ -124,7 +124,7 @@ class Simulation {
     if (named == mesh.fields().end() || named->components != 2 || named->by_face)
       throw UsageError(option +
                        " needs a velocity that the mesh carries: --velocity-field in the step, or a continuous " +
-                       "field \"velocity\" of two components");
+                       "field \"velocity\" of two components; navierstokes --steps 0 makes one");
     return static_cast<int>(named - mesh.fields().begin());
   }
 

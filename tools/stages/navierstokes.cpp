@@ -51,8 +51,6 @@ bool rests_where_mesh_stays(const FlowProblem& problem) {
 
 }  // namespace
 
-int NavierStokesStage::velocity_field(const Mesh& mesh) const { return find_field(mesh, "velocity"); }
-
 void NavierStokesStage::add_options(CLI::App& app) {
   problem_.add(app);
   app.add_flag("--steady", steady_, "solve for the flow that does not change in time, on the mesh as it is");

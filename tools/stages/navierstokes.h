@@ -20,7 +20,6 @@ class NavierStokesStage : public Stage {
   }
   bool advances_time() const override { return !steady_ && steps_ > 0; }
   double time_step() const override { return steps_ * motion_.dt(); }
-  int velocity_field(const Mesh& mesh) const override;
   const char* own_end() const override { return motion_.until() ? "--until" : nullptr; }
   bool explains() const override { return problem_.wants_explanation(); }
   void add_options(CLI::App& app) override;
