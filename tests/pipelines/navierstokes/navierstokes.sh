@@ -1,0 +1,148 @@
+#!/usr/bin/env bash
+# navierstokes as a program: flows with closed forms, drops at rest, evolve and pipe, refusals.
+. "${BASH_SOURCE%/*}/../common.bash"
+for tool in navierstokes evolve flipdelaunay refine coarsen smoothcurves bspline2mesh qualityreport advect; do
+  has_tool "$tool" || { echo "$tool is not built" >&2; exit 77; }
+done
+here=${BASH_SOURCE%/*}
+
+# domain NAME NUMBERS...: a boundary document.
+domain() { python3 "$SOURCE/tests/pipelines/navierstokes/domains.py" "$SOURCE" "$@"; }
+# problem FILE SECTION [PARAMETERS]: writes a problem document.
+problem() { printf '{"format": "pliant-problem", "version": 1, "parameters": {%s}, "navierstokes": {%s}}\n' "${3:-}" "$2" >"$1"; }
+# holds EXPRESSION: Python says that it is true of v, the values of the last line of the report r.
+holds() {
+  tail -n 1 r | python3 -c 'import json, math, sys
+v = json.load(sys.stdin)["values"]
+sys.exit(not eval(sys.argv[1]))' "$1" || fail "not true: $1: $(tail -n 1 r)"
+}
+# exact BOUND [OPTIONS...]: the errors of the last report that begin with error_l2 are at most that.
+exact() { holds "all(x <= $1 for k, x in v.items() if k.startswith('error_l2:')) and any(k.startswith('error_l2:') for k in v)"; }
+fluid='"materials": {"*": {"viscosity": "mu"}}'
+
+# Flows that the elements contain come out to rounding: between walls, through a channel with each kind of end, in layers.
+for p in 2 3; do
+  domain channel $p | bspline2mesh --max-area 0.05 >channel$p.json
+  problem couette.json "$fluid, \"conditions\": [{\"curve\": \"*\", \"velocity\": [\"U*y\", 0]}]" '"U": 3, "mu": 0.02'
+  run 0 navierstokes --problem couette.json --steady --report r --error velocity_x=3*y --error velocity_y=0 --error pressure=0 channel$p.json
+  exact 1e-10
+  holds 'abs(v["force_x:south"] - 2 * 0.02 * 3) < 1e-10 and abs(v["force_x:north"] + 2 * 0.02 * 3) < 1e-10'
+  holds 'abs(v["flux:east"] - 1.5) < 1e-12 and abs(v["flux:west"] + 1.5) < 1e-12 and abs(v["dissipation"] - 2 * 0.02 * 9) < 1e-10'
+  for ends in 'west|"velocity": ["4*y*(1-y)", 0]|east|"outflow": true' \
+    'west|"traction": ["16*mu", "4*mu*(1-2*y)*(-1)"], "moves": false|east|"traction": [0, "4*mu*(1-2*y)"], "moves": false' \
+    'west|"velocity": ["4*y*(1-y)", 0]|east|"traction": [0, "4*mu*(1-2*y)"], "moves": false'; do
+    IFS='|' read -r one left two right <<<"$ends"
+    problem poiseuille.json "$fluid, \"conditions\": [{\"curve\": \"$one\", $left}, {\"curve\": \"$two\", $right},
+      {\"curve\": [\"north\", \"south\"], \"velocity\": [0, 0]}]" '"mu": 0.1'
+    run 0 navierstokes --problem poiseuille.json --steady --report r --error 'velocity_x=4*y*(1-y)' --error velocity_y=0 \
+      --error 'pressure=8*mu*(2-x)' channel$p.json
+    exact 1e-10
+  done
+done
+for p in 2 3; do
+  # Two layers, one a thousand times as viscous, under a slope of the pressure of 1 and a lid: u is a parabola in each.
+  domain layers $p 0.4 | bspline2mesh --max-area 0.05 >layers$p.json
+  slope=$(python3 -c 'h, m, n, U = 0.4, 1.0, 1000.0, 0.01
+# u = (a y - y^2/2)/m below, U + (b (1-y) - (1-y)^2/2)/n above; velocity and stress are continuous at h.
+a = (U + (h * h / 2) / m + ((1 - h) - (1 - h) ** 2 / 2) / n) / (h / m + (1 - h) / n)
+print(f"{a!r}, \"b\": {1 - a!r}")')
+  u='y < 0.4 ? a*y - y^2/2 : U + (b*(1-y) - (1-y)^2/2)/1000'
+  problem layers.json "\"materials\": {\"below\": {\"viscosity\": 1}, \"above\": {\"viscosity\": 1000}}, \"conditions\": [
+    {\"curve\": \"west\", \"velocity\": [\"$u\", 0]}, {\"curve\": [\"south\", \"north\"], \"velocity\": [\"y > 0.5 ? U : 0\", 0]},
+    {\"curve\": \"east\", \"outflow\": true}]" "\"U\": 0.01, \"a\": $slope"
+  run 0 navierstokes --problem layers.json --steady --report r --error "velocity_x=$u" --error velocity_y=0 --error 'pressure=2-x' layers$p.json
+  exact 1e-10
+
+  # A film with a free surface runs down a slope, here as gravity that is inclined.
+  problem film.json '"materials": {"*": {"viscosity": 0.5, "density": 2}}, "gravity": [0.25, -1], "conditions": [
+    {"curve": "west", "velocity": ["y-y^2/2", 0]}, {"curve": "south", "velocity": [0, 0]}, {"curve": "north", "natural": true, "moves": false},
+    {"curve": "east", "traction": ["-2*(1-y)", "0.5*(1-y)"], "moves": false}]'
+  run 0 navierstokes --problem film.json --steady --report r --error 'velocity_x=y-y^2/2' --error velocity_y=0 --error 'pressure=2*(1-y)' channel$p.json
+  exact 1e-10
+
+  # Layers of two fluids at rest: the pressure alone carries them, also where the surface above is free, and tension acts.
+  problem still.json '"materials": {"below": {"viscosity": 1, "density": 1000}, "above": {"viscosity": 0.1, "density": 1}}, "gravity": [0, -9.81],
+    "surface_tension": {"interface": 0.7}, "conditions": [{"curve": "north", "natural": true}, {"curve": "*", "slip": true}]'
+  run 0 navierstokes --problem still.json --dt 0.1 --steps 3 --report r --error velocity_x=0 --error velocity_y=0 \
+    --error 'pressure=9.81*(y < 0.4 ? 0.6 + 1000*(0.4-y) : 1-y)' layers$p.json
+  exact 1e-9
+  holds 'v["max_speed"] < 1e-11 and v["max_displacement"] < 1e-12 and v["time"] > 0.29'
+
+  # A drop at rest stays so to rounding, and its tension over its radius is what the pressure jumps by. With a continuous pressure neither.
+  domain drop $p 24 1 | bspline2mesh --max-area 0.2 >drop$p.json
+  tension='"materials": {"*": {"viscosity": 1}}, "surface_tension": {"interface": 2}, "conditions": [{"curve": "*", "velocity": [0, 0]}]'
+  problem drop.json "$tension"
+  run 0 navierstokes --problem drop.json --dt 0.1 --steps 3 --report r drop$p.json
+  holds 'v["max_speed"] <= 1e-11 and abs(v["max_pressure"] - v["min_pressure"] - 2) < 2e-6'
+  problem drop.json "$tension, \"pressure\": \"continuous\""
+  run 0 navierstokes --problem drop.json --dt 0.1 --steps 3 --report r drop$p.json
+  holds 'v["max_speed"] > 1e-4 and abs(v["max_pressure"] - v["min_pressure"] - 2) > 1e-3'
+done
+
+# What turns like a rigid body has twice its angular velocity as vorticity, everywhere.
+for p in 2 3; do
+  domain disk $p 16 | bspline2mesh --max-area 0.2 >disk$p.json
+  problem rigid.json '"materials": {"*": {"viscosity": 0.3, "density": 0}}, "conditions": [{"curve": "rim", "velocity": ["-w*y", "w*x"]}]' '"w": 1.5'
+  run 0 navierstokes --problem rigid.json --steady --vorticity --report r --error velocity_x=-w*y --error velocity_y=w*x disk$p.json
+  exact 1e-11
+  qualityreport --format json out | python3 -c 'import json, sys
+fields = {f["name"]: f for f in json.load(sys.stdin)["fields"]}
+sys.exit(not (abs(fields["vorticity"]["min"][0] - 3) < 1e-9 and abs(fields["vorticity"]["max"][0] - 3) < 1e-9))' || fail "the vorticity of a rotation at degree $p"
+done
+
+# Steps one by one are steps at once, on a mesh at rest and on one that moves; the mesh carries the problem and what --set changes.
+problem shear.json '"materials": {"drop": {"viscosity": "5*mu", "density": 2}, "*": {"viscosity": "mu"}}, "surface_tension": {"interface": "g"},
+  "conditions": [{"curve": "*", "velocity": ["G*y", 0]}], "initial": ["G*y", 0]' '"G": 1, "mu": 0.1, "g": 0.2'
+for way in "--mesh-velocity fixed" "--mesh-velocity harmonic" "--mesh-velocity blend --scheme euler" "--mesh-velocity lagrangian"; do
+  run 0 navierstokes --problem shear.json --dt 0.03 --steps 3 $way drop2.json
+  mv out three
+  run 0 bash -c "navierstokes --problem shear.json --dt 0.03 $way drop2.json | navierstokes --dt 0.03 $way | navierstokes --dt 0.03 $way"
+  same out three
+done
+run 0 bash -c 'navierstokes --problem shear.json --dt 0.05 --set mu=2 drop2.json >changed; navierstokes --explain changed'
+grep -qF 'parameter mu = 2' out || fail "--set is not carried: $(cat out)"
+for words in "face 'drop' (0): density 2; viscosity 5*mu (mu = 2)" 'velocity is continuous (default); the mesh follows the flow (default); surface tension g' \
+  'by face' 'the mesh does not move (default)' 'has a velocity' 'unknowns: ' 'viscous terms as stress'; do
+  grep -qF "$words" out || fail "--explain does not say '$words': $(cat out)"
+done
+run 0 navierstokes --problem shear.json --dt 0.1 --steps 50 --until 0.25 --report r drop2.json
+holds 'v["time"] == 0.25 and abs(v["dt"] - 0.25) < 1e-15 and v["solves"] == 4'  # one of them makes the velocity
+python3 -c 'import json
+memory = json.load(open("out"))["navierstokes"]
+forces = memory["forces"]
+assert abs(memory["dt"] - 0.05) < 1e-15 and set(forces) == {"south", "east", "north", "west"}, memory' || fail "the member navierstokes"
+mv out later
+run 0 navierstokes --dt 0.1 --until 0.25 later
+same out later
+
+# A step is whole, or limited, or refused; areas are kept to rounding where that is wanted.
+run 4 navierstokes --problem shear.json --dt 40 drop2.json
+says 'not proved safe'
+no_output
+run 0 navierstokes --problem shear.json --dt 40 --limit --report r drop2.json
+holds '0 < v["dt"] < 40 and v["time"] == v["dt"]'
+area() { qualityreport --format json "$1" | python3 -c 'import json, sys; print(repr(json.load(sys.stdin)["faces"][0]["area"]))'; }
+run 0 navierstokes --problem shear.json --dt 0.1 --steps 5 --keep-area drop2.json
+[ "$(python3 -c "print(abs($(area out) / $(area drop2.json) - 1) < 1e-13)")" = True ] || fail "--keep-area: $(area out) $(area drop2.json)"
+run 0 navierstokes --problem shear.json --dt 0.1 --steps 5 drop2.json
+[ "$(python3 -c "print(1e-12 < abs($(area out) / $(area drop2.json) - 1) < 1e-2)")" = True ] || fail "the area without --keep-area: $(area out)"
+
+# evolve is the pipe, byte for byte, with all passes and their frames.
+step='navierstokes --problem shear.json --dt 0.1 | flipdelaunay | refine | coarsen | smoothcurves'
+run 0 evolve -q --steps 6 --every 2 --log log "$step" drop2.json
+mv out by_evolve
+python3 -c 'import json
+lines = [json.loads(line) for line in open("log")]
+assert sum(stage["values"].get("flips", 0) for line in lines for stage in line["stages"]) > 5, "few flips"
+assert all(json.loads(line)["navierstokes"]["dt"] > 0 for line in list(open("by_evolve"))[1:])' || fail "little was done"
+run 0 evolve --print-pipe --steps 6 --every 2 "$step" drop2.json
+mv out loop.sh
+run 0 bash loop.sh
+same out by_evolve
+# A step that can only be taken in parts.
+run 0 evolve -q --steps 2 --log log "${step/dt 0.1/dt 2}" drop2.json
+python3 -c 'import json
+lines = [json.loads(line) for line in open("log")]
+print(len(lines), [line["time"] for line in lines])
+assert len(lines) > 2 and lines[-1]["time"] == 4 and max(abs(line["stages"][0]["values"]["residual"]) for line in lines) < 1e-9' || fail "a step in parts"
+finish
