@@ -140,9 +140,146 @@ mv out loop.sh
 run 0 bash loop.sh
 same out by_evolve
 # A step that can only be taken in parts.
-run 0 evolve -q --steps 2 --log log "${step/dt 0.1/dt 2}" drop2.json
+run 0 evolve -q --steps 2 --log log "${step/dt 0.1/dt 0.8}" drop2.json
 python3 -c 'import json
 lines = [json.loads(line) for line in open("log")]
 print(len(lines), [line["time"] for line in lines])
-assert len(lines) > 2 and lines[-1]["time"] == 4 and max(abs(line["stages"][0]["values"]["residual"]) for line in lines) < 1e-9' || fail "a step in parts"
+assert len(lines) > 2 and lines[-1]["time"] == 1.6 and max(abs(line["stages"][0]["values"]["residual"]) for line in lines) < 1e-9' || fail "a step in parts"
+
+# Usage.
+refused() { local status=$1 word=$2; shift 2; run "$status" "$@"; says "$word"; no_output; }
+mesh=drop2.json given="--problem shear.json"
+while IFS='|' read -r word options; do
+  refused 2 "$word" bash -c "navierstokes $given $options $mesh"
+done <<'CASES'
+--dt is required|
+--dt|--dt 0
+--dt|--dt=-1
+--dt|--dt nan
+--steady|--steady --dt 0.1
+--steady|--steady --steps 3
+--steady|--steady --limit
+--steady|--steady --scheme bdf2
+--steady|--steady --mesh-velocity fixed
+--steps 0|--steps 0 --dt 0.1
+--steps|--steps=-1 --dt 0.1
+--steps|--steps 1.5 --dt 0.1
+bdf2 and euler|--dt 0.1 --scheme sdirk2
+harmonic|--dt 0.1 --mesh-velocity still
+--error|--dt 0.1 --error velocity=1
+--error|--dt 0.1 --error velocity_x
+fields|--dt 0.1 --error velocity_x=velocity_x
+"G", "mu" and "g"|--dt 0.1 --set q=1
+--set|--dt 0.1 --set mu=
+--gap|--dt 0.1 --gap hold
+--no-such|--dt 0.1 --no-such
+CASES
+refused 2 '--explain' evolve --steps 1 "navierstokes $given --dt 0.1 --explain" $mesh
+refused 2 'moves time on' evolve --steps 1 "advect --vx 1 --vy 0 --dt 0.1 | navierstokes $given --dt 0.1" $mesh
+refused 3 '--problem' navierstokes --dt 0.1 $mesh
+
+# Problems that do not fit: SECTION|WORD|WORD ..., with the place of what is wrong.
+wall='"conditions": [{"curve": "*", "velocity": [0, 0]}]'
+while IFS='|' read -r section words; do
+  problem bad.json "$section" '"mu": 1'
+  run 3 navierstokes --problem bad.json --dt 0.1 $mesh
+  no_output
+  says 'bad.json:1'
+  while [ -n "$words" ]; do says "${words%%|*}"; words=${words#"${words%%|*}"}; words=${words#|}; done
+done <<CASES
+$fluid, "conditions": [{"curve": ["north", "west"], "velocity": [0, 0]}]|"south" and "east"|outer boundary
+$fluid|"south"|outer boundary
+$wall|materials
+"materials": {"drop": {"viscosity": 1}}, $wall|fluid
+"materials": {"*": {"density": 1}}, $wall|viscosity
+"materials": {"*": {"viscosity": 0}}, $wall|/navierstokes/materials/*/viscosity|should be above zero
+"materials": {"*": {"viscosity": 1, "density": -1}}, $wall|density
+"materials": {"*": {"viscosity": "0.1-x"}}, $wall|/navierstokes/materials/*/viscosity|positive|time 0
+"materials": {"*": {"viscosity": "log(x)"}}, $wall|viscosity|time 0
+"materials": {"*": {"viscosity": 1, "density": "x"}}, $wall|density|at least 0
+"materials": {"*": {"viscosity": "nothing"}}, $wall|nothing
+$fluid, $wall, "surface_tension": {"interface": -1}|/navierstokes/surface_tension/interface
+$fluid, $wall, "surface_tension": {"interface": "x"}|surface_tension/interface|at least 0
+$fluid, $wall, "surface_tension": {"*": 1}|surface_tension
+$fluid, $wall, "surface_tension": {"membrane": 1}|membrane
+$fluid, $wall, "gravity": [0]|gravity
+$fluid, $wall, "gravity": ["1/0", 0]|gravity
+$fluid, $wall, "force": ["sqrt(x)", 0]|force
+$fluid, $wall, "initial": ["velocity_x", 0]|initial/0
+$fluid, $wall, "initial": ["sqrt(x)", 0]|initial/0
+$fluid, $wall, "pressure": "smooth"|pressure|continuous
+$fluid, $wall, "pressures": "continuous"|pressures
+$fluid, "conditions": [{"curve": "*", "velocity": ["log(x)", 0]}]|conditions/0/velocity/0
+$fluid, "conditions": [{"curve": "*", "velocity": [0]}]|conditions/0/velocity
+$fluid, "conditions": [{"curve": "*", "velocity": [0, 0], "slip": true}]|conditions/0
+$fluid, "conditions": [{"curve": "*", "slip": false}]|conditions/0/slip
+$fluid, "conditions": [{"curve": "*"}]|conditions/0
+$fluid, "conditions": [{"curve": "*", "velocity": [0, 0]}, {"curve": "interface", "natural": true}]|interface|outer boundary
+$fluid, "conditions": [{"curve": "*", "velocity": [0, 0]}, {"curve": "interface", "outflow": true}]|interface|outer boundary
+$fluid, "conditions": [{"curve": "*", "outflow": true, "moves": true}]|conditions/0/moves
+$fluid, "conditions": [{"curve": ["south", "south"], "velocity": [0, 0]}, {"curve": "*", "slip": true}]|south
+$fluid, "conditions": [{"curve": "lid", "velocity": [0, 0]}, {"curve": "*", "slip": true}]|lid
+$fluid, "conditions": [{"curve": "*", "velocity": ["x", "y"]}]|more leaves than enters|31.9|outflow
+$fluid, "conditions": [{"curve": "*", "velocity": ["-x*t", 0]}], "initial": [0, 0]|enters|time 0.1
+CASES
+
+# Meshes that do not fit: of degree 1, tangled, with fields or a member that no step has left.
+sample_mesh disk 1 >straight.json
+problem round.json "\"materials\": {\"*\": {\"viscosity\": 1}}, $wall"
+for options in "--dt 0.1" "--steady" "--steps 0"; do
+  refused 3 'degree 2 or more' navierstokes --problem round.json $options straight.json
+  refused 3 'smoothcurves' navierstokes --problem round.json $options tangled.json
+done
+# changed PYTHON: the mesh as changed by a statement about m, c being its count of points.
+changed() { python3 -c 'import json, sys
+m = json.load(open("two.json")); c = len(m["points"]) // 2
+def field(name, components): m["fields"] = [f for f in m["fields"] if f["name"] != name] + [
+  {"name": name, "components": components, "by_face": False, "values": [0] * (components * c)}]
+exec(sys.argv[1]); json.dump(m, sys.stdout)' "$1" >changed.json; }
+run 0 navierstokes --problem shear.json --dt 0.1 --steps 2 drop2.json
+mv out two.json
+for name in velocity acceleration mesh_velocity; do
+  for components in 1 3; do
+    for way in harmonic fixed; do
+      changed "field('$name', $components)"
+      refused 3 "\"$name\" has $components component" navierstokes --dt 0.1 --mesh-velocity $way changed.json
+    done
+  done
+  changed "field('$name', 2); n = len(m['triangles']) // 6; faces = m['triangle_faces']; f = m['fields'][-1]; f['by_face'] = True
+f['places'] = [x for pair in sorted({(p, faces[t]) for t in range(n) for p in m['triangles'][6 * t:6 * t + 6]}) for x in pair]
+f['values'] = [0] * len(f['places'])"
+  refused 3 'continuous' navierstokes --dt 0.1 changed.json
+done
+while IFS='|' read -r value word; do
+  changed "m['navierstokes'] = $value"
+  refused 3 "/navierstokes$word" navierstokes --dt 0.1 changed.json
+done <<'CASES'
+[]|
+"dt"|
+{"dt": 0}|/dt
+{"dt": -1}|/dt
+{"dt": "0.1"}|/dt
+{"dt": None}|/dt
+{"dt": 0.1, "forces": []}|/forces
+{"dt": 0.1, "forces": {"south": 1}}|/forces/south
+{"dt": 0.1, "forces": {"south": [1, 2, 3]}}|/forces/south
+CASES
+# Without the member, and with one of another program beside it, the step is one of euler.
+changed "del m['navierstokes']; m['other'] = {'dt': 0}"
+run 0 navierstokes --dt 0.1 --report r changed.json
+holds 'v["euler_steps"] == 1'
+grep -q '"other":{"dt":0}' out || fail "an unknown member is lost"
+run 0 navierstokes --dt 0.1 --report r two.json
+holds 'v["euler_steps"] == 0'
+run 0 navierstokes --dt 0.3 --report r two.json
+holds 'v["euler_steps"] == 1'
+
+# Two parts, of which one is enclosed: its pressure has the mean 0, the other's is that of its end.
+for shape in parts corner; do
+  domain $shape 2 | bspline2mesh --max-area 0.05 >$shape.json
+  pipe='{"curve": ["north", "south"], "velocity": [0, 0]}, {"curve": "west", "velocity": ["4*y*(1-y)", 0]}, {"curve": "east", "outflow": true}'
+  box='{"curve": ["floor", "exit", "roof", "entry"], "velocity": [0, 0]}'
+  problem pair.json "\"gravity\": [\"x > 1.5 || y > 1 ? 1 : 0\", 0], \"materials\": {\"*\": {\"viscosity\": 1}}, \"conditions\": [$pipe, $box]"
+  run 0 navierstokes --problem pair.json --steady --report r $shape.json
+done
 finish
