@@ -168,6 +168,7 @@ AdvectOutcome NavierStokesStage::move(const FlowProblem& problem, Mesh& mesh, co
 
 PassReport NavierStokesStage::take_steps(const FlowProblem& problem, Mesh& mesh, const FlowOptions& options,
                                          const StageContext& context) const {
+  NavierStokes::require_fields(mesh);  // the motion reads them before there is a flow
   PassReport report;
   FlowMemory memory = recall_flow(mesh.extra);
   double taken = 0;

@@ -20,6 +20,8 @@ using Kind = FlowCondition::Kind;
 /// An enclosed flow may have this part of what crosses its boundary as a net flux: the rounding of expressions, and of
 /// quadrature.
 constexpr double greatest_net_flux = 1e-6;
+/// What glides along its boundary crosses it by the rounding of places, by this part of what glides.
+constexpr double greatest_rounding = 1e-10;
 
 constexpr int most_sweeps = 100;  // over parts that share walls
 
@@ -71,9 +73,10 @@ void VelocityUnknowns::give(const Configuration& at, std::span<double> values) c
 }
 
 /// What leaves one part of the mesh by the functions that were given, and by the values of its control points: the sum
-/// of values times normals. The values of those with given normals may be corrected.
+/// of values times normals. The values of those with given normals may be corrected. `crossing` sums what crosses in
+/// either direction, `passing` the speed.
 struct VelocityUnknowns::Balance {
-  double given = 0, crossing = 0;
+  double given = 0, crossing = 0, passing = 0;
   std::map<PointId, Vector> normals, given_normals;
   FaceId face = none;
 };
@@ -104,6 +107,7 @@ std::vector<VelocityUnknowns::Balance> VelocityUnknowns::balance_fluxes(const Co
       const Vector velocity{evaluate_at(condition->first, there), evaluate_at(condition->second, there)};
       balance.given += dot(velocity, outward);
       balance.crossing += std::abs(dot(velocity, outward));
+      balance.passing += length(velocity) * length(outward);
     }
   }
   return balances;
@@ -114,7 +118,8 @@ void VelocityUnknowns::correct_fluxes(const Configuration& at, std::span<double>
   const double unit = mesh_.boundary().unit;
   const std::vector<Balance> balances = balance_fluxes(at);
   for (const Balance& balance : balances) {
-    if (std::abs(balance.given) <= greatest_net_flux * balance.crossing) continue;
+    if (std::abs(balance.given) <= std::max(greatest_net_flux * balance.crossing, greatest_rounding * balance.passing))
+      continue;
     std::ostringstream text;
     text << "the velocity is given on the whole "
          << (balances.size() > 1 ? "boundary of the face \"" + mesh_.boundary().faces[index(balance.face)].name + "\""
@@ -135,7 +140,7 @@ void VelocityUnknowns::correct_fluxes(const Configuration& at, std::span<double>
         net += values[2 * index(p)] * normal.x + values[2 * index(p) + 1] * normal.y;
       for (const auto& [p, normal] : balance.given_normals) squares += squared_length(normal);
       if (!(squares > 0)) continue;
-      changes = changes || std::abs(net) > 0x1p-50 * balance.crossing;
+      changes = changes || std::abs(net) > 0x1p-50 * balance.passing;
       for (const auto& [p, normal] : balance.given_normals) {
         values[2 * index(p)] -= net / squares * normal.x;
         values[2 * index(p) + 1] -= net / squares * normal.y;

@@ -33,14 +33,14 @@ NavierStokes::NavierStokes(const FlowProblem& problem, Mesh& mesh, const FlowOpt
                      : throw InputError("/degree",
                                         "velocities need a mesh of degree 2 or more: pressures have one degree less")),
                 mesh, options.by_splines) {
-  require_fields();
+  require_fields(mesh_);
 }
 
-void NavierStokes::require_fields() const {
+void NavierStokes::require_fields(const Mesh& mesh) {
   for (const char* name : {"velocity", "acceleration", "mesh_velocity"}) {
-    const int k = find_field(mesh_, name);
+    const int k = find_field(mesh, name);
     if (k == none) continue;
-    const Field& field = mesh_.fields()[index(k)];
+    const Field& field = mesh.fields()[index(k)];
     if (field.components == 2 && !field.by_face) continue;
     throw InputError("/fields/" + std::to_string(k),
                      "the field \"" + field.name + "\" has " + std::to_string(field.components) + " components" +

@@ -42,6 +42,10 @@ class NavierStokes {
   /// Throws      InputError where fields with these names do not fit, and for meshes of degree 1
   NavierStokes(const FlowProblem& problem, Mesh& mesh, const FlowOptions& options);
 
+  /// Refuses fields that a step reads, where they are not continuous or have not two components.
+  /// Throws      InputError
+  static void require_fields(const Mesh& mesh);
+
   const FlowEquation& equation() const { return equation_; }
 
   /// Solves for the flow that does not change in time, at mesh.time. Newton's method begins with the solution without
@@ -70,7 +74,6 @@ class NavierStokes {
   void report(PassReport& report) const;
 
  private:
-  void require_fields() const;
   bool has_inertia() const;
   std::vector<double> field_values(const char* name) const;
   void put(const char* name, std::vector<double> values);
