@@ -71,6 +71,7 @@ class NavierStokes {
 
  private:
   void require_fields() const;
+  void require_triangles() const;
   bool has_inertia() const;
   std::vector<double> field_values(const char* name) const;
   void put(const char* name, std::vector<double> values);
