@@ -192,3 +192,15 @@ TEST_CASE("flows that nothing holds are refused with a word", "[navier_stokes]")
   NavierStokes flow(problem, mesh, {.by_splines = false});
   CHECK_THROWS_AS(flow.solve_steady(), NoSolution);
 }
+
+TEST_CASE("two triangles between walls are refused with a word", "[navier_stokes]") {
+  const int degree = GENERATE(2, 3, 4);
+  const double density = GENERATE(0.0, 1.0);
+  Mesh mesh(mapped_square(degree, 1, as_it_is));
+  FlowProblem problem = flow_problem(mesh, density, 1);
+  problem.force = {coefficient([](const Point& x, double) { return x.y; }), Coefficient(-3)};
+  set_velocity(problem, mesh, {"south", "east", "north", "west"}, zero, zero);
+  NavierStokes flow(problem, mesh, {.by_splines = false});
+  CHECK_THROWS_WITH(flow.solve_steady(), Catch::Contains("face \"domain\" has 2 triangles between walls"));
+  CHECK_THROWS_WITH(flow.initialise(), Catch::Contains("3 or more"));
+}

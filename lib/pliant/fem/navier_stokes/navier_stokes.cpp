@@ -18,6 +18,7 @@ constexpr int most_newton_iterations = 15;
 constexpr int most_solves = 150;            // of a steady flow, over all parts of convection
 constexpr double newton_tolerance = 1e-11;  // of the change in one iteration, relative to the velocity
 constexpr double newton_rounding = 1e-12;   // ... and to velocities that rounding makes
+constexpr int least_triangles = 3;          // of an enclosed flow: with two, there are pressures that nothing feels
 constexpr double greatest_growth = 1e4;     // a change that has grown so much does not come back
 constexpr double least_raise = 1.0 / 1024;  // of convection, between two solutions
 constexpr double greatest_ratio = 2;        // of a step's length to the last one's, for bdf2
@@ -89,7 +90,23 @@ void NavierStokes::put_scalar(const char* name, std::span<const double> element_
   mesh_.set_field(std::move(field));
 }
 
+void NavierStokes::require_triangles() const {
+  const VelocityUnknowns& velocities = equation_.velocities();
+  std::vector<int> triangles(velocities.enclosed().size(), 0);
+  for (TriangleId t = 0; t < mesh_.triangle_slots(); ++t) ++triangles[index(velocities.part_of(t))];
+  for (TriangleId t = 0; t < mesh_.triangle_slots(); ++t) {
+    const int count = triangles[index(velocities.part_of(t))];
+    if (count >= least_triangles || !velocities.is_enclosed(velocities.part_of(t))) continue;
+    std::ostringstream text;
+    text << "the face \"" << mesh_.boundary().faces[index(mesh_.face(t))].name << "\" has " << count
+         << (count == 1 ? " triangle" : " triangles") << " between walls, where some pressure is felt by no velocity: "
+         << "it needs " << least_triangles << " or more (refine)";
+    throw NoSolution(text.str());
+  }
+}
+
 void NavierStokes::solve(const Configuration& at, const FlowTerms& terms) {
+  require_triangles();
   std::vector<double> given(2 * index(mesh_.point_slots())), load;
   equation_.velocities().give(at, given);
   equation_.assemble(at, terms, given, matrix_, load);
@@ -97,7 +114,8 @@ void NavierStokes::solve(const Configuration& at, const FlowTerms& terms) {
   if (!is_symmetric) equation_.pin_pressures(matrix_, load);
   std::vector<double> x(load.size(), 0.0);
   const auto solve_by = [&](LinearSolver& solver) -> SolveOutcome {
-    if (std::string why = solver.factor(matrix_); !why.empty()) return {.why = std::move(why)};
+    if (const std::string why = solver.factor(matrix_); !why.empty())
+      return {.why = why + "; does something hold the fluid, and has each face between walls three triangles or more?"};
     return solver.solve(load, x, solver_tolerance);
   };
   std::unique_ptr<LinearSolver>& solver = is_symmetric ? symmetric_solver_ : general_solver_;

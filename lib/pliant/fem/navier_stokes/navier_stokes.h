@@ -74,6 +74,7 @@ class NavierStokes {
   void report(PassReport& report) const;
 
  private:
+  void require_triangles() const;
   bool has_inertia() const;
   std::vector<double> field_values(const char* name) const;
   void put(const char* name, std::vector<double> values);
