@@ -8,6 +8,7 @@
 #include "pliant/boundary/fault.h"
 #include "pliant/fem/element_values.h"
 #include "pliant/fem/interpolate.h"
+#include "pliant/fem/solve/gmres.h"
 #include "pliant/geometry/index.h"
 #include "pliant/mesh/interpolate_nodes.h"
 
@@ -15,6 +16,7 @@ namespace pliant {
 namespace {
 
 constexpr int most_newton_iterations = 15;
+constexpr int most_with_old_factors = 25;   // iterations of GMRES; more cost as much as new factors
 constexpr int most_solves = 150;            // of a steady flow, over all parts of convection
 constexpr double newton_tolerance = 1e-11;  // of the change in one iteration, relative to the velocity
 constexpr double newton_rounding = 1e-12;   // ... and to velocities that rounding makes
@@ -105,7 +107,7 @@ void NavierStokes::require_triangles() const {
   }
 }
 
-void NavierStokes::solve(const Configuration& at, const FlowTerms& terms) {
+void NavierStokes::solve(const Configuration& at, const FlowTerms& terms, bool reuses_factors) {
   require_triangles();
   std::vector<double> given(2 * index(mesh_.point_slots())), load;
   equation_.velocities().give(at, given);
@@ -121,7 +123,14 @@ void NavierStokes::solve(const Configuration& at, const FlowTerms& terms) {
   std::unique_ptr<LinearSolver>& solver = is_symmetric ? symmetric_solver_ : general_solver_;
   if (solver == nullptr)
     solver = is_symmetric ? make_quasi_definite(equation_.multipliers()) : make_saddle_general(equation_.multipliers());
-  SolveOutcome outcome = solve_by(*solver);
+  SolveOutcome outcome;
+  if (reuses_factors && has_factors_)
+    outcome = solve_by_gmres(matrix_, *solver, load, x, {.most_iterations = most_with_old_factors});
+  if (!outcome.converged) {
+    std::ranges::fill(x, 0.0);
+    outcome = solve_by(*solver);
+    has_factors_ = !is_symmetric && outcome.converged;
+  }
   if (!is_symmetric && !outcome.converged) {
     // Factors without pivots have grown too much.
     std::ranges::fill(x, 0.0);
@@ -189,7 +198,7 @@ bool NavierStokes::iterate(const Configuration& at, double convection) {
     terms.convecting = before;
     terms.newton = true;
     terms.convection = convection;
-    solve(at, terms);
+    solve(at, terms, k > 0);
     std::vector<double> change = state_.velocity;
     for (std::size_t i = 0; i < change.size(); ++i) change[i] -= before[i];
     last_change_ = norm(change) / std::max(norm(state_.velocity), 1e-300);

@@ -81,8 +81,9 @@ class NavierStokes {
   void put_state();
   /// A field of one component that has these control values in element after element.
   void put_scalar(const char* name, std::span<const double> element_values, bool by_face);
-  /// Solves one linear equation; the result is in state_.
-  void solve(const Configuration& at, const FlowTerms& terms);
+  /// Solves one linear equation; the result is in state_. The factors of the last such equation with convection may
+  /// serve again, where that is near.
+  void solve(const Configuration& at, const FlowTerms& terms, bool reuses_factors = false);
   /// How fast the terms of each equation would make its unknown, if they did not cancel: where a flow rests, its
   /// velocity is the rounding of these.
   double velocity_of_terms(std::span<const double> load, std::span<const double> x) const;
@@ -99,6 +100,7 @@ class NavierStokes {
   CsrMatrix matrix_;
   // Kept, since on one mesh the order of elimination serves again.
   std::unique_ptr<LinearSolver> symmetric_solver_, general_solver_, pivoting_solver_;
+  bool has_factors_ = false;  // general_solver_, of a matrix that it has solved
   std::map<std::string, Vector> forces_;
   double last_change_ = 0, rounded_ = 0;
 };
