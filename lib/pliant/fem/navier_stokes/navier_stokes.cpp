@@ -198,7 +198,11 @@ bool NavierStokes::iterate(const Configuration& at, double convection) {
     terms.convecting = before;
     terms.newton = true;
     terms.convection = convection;
-    solve(at, terms, k > 0);
+    try {
+      solve(at, terms, k > 0);
+    } catch (const NoSolution&) {
+      break;  // with less convection there may be one
+    }
     std::vector<double> change = state_.velocity;
     for (std::size_t i = 0; i < change.size(); ++i) change[i] -= before[i];
     last_change_ = norm(change) / std::max(norm(state_.velocity), 1e-300);
@@ -241,10 +245,10 @@ void NavierStokes::step(std::span<const Point> from, double t0, std::optional<do
   const double dt = mesh_.time - t0, unit = mesh_.boundary().unit;
   const std::vector<double> before = field_values("velocity"), rate = field_values("acceleration");
   const std::vector<double> last_motion = field_values("mesh_velocity");
-  const bool convects = has_inertia() && !options_.mesh_follows;
+  const bool convects = has_inertia() && !options_.mesh_follows, moves = !from.empty() || !last_motion.empty();
   const double ratio = last_dt ? dt / *last_dt : 0;
   const bool is_bdf2 = options_.scheme == FlowOptions::Scheme::bdf2 && last_dt && !rate.empty() &&
-                       ratio <= greatest_ratio && ratio > 0 && (!convects || from.empty() || !last_motion.empty());
+                       ratio <= greatest_ratio && ratio > 0 && (!convects || !moves || !last_motion.empty());
   if (!is_bdf2) ++counts.euler_steps;
   // rate of the velocity at the end: weight * (change in this step) / dt - (weight - 1) * (the same of the last step)
   const double weight = is_bdf2 ? (1 + 2 * ratio) / (1 + ratio) : 1;
@@ -261,7 +265,7 @@ void NavierStokes::step(std::span<const Point> from, double t0, std::optional<do
     convecting = before;
     for (std::size_t i = 0; i < before.size(); ++i) {
       if (is_bdf2) convecting[i] += dt * rate[i];
-      if (!from.empty()) convecting[i] -= weight * motion[i] - (is_bdf2 ? (weight - 1) * last_motion[i] : 0);
+      if (moves) convecting[i] -= weight * motion[i] - (is_bdf2 ? (weight - 1) * last_motion[i] : 0);
     }
   }
   FlowTerms terms;
@@ -277,7 +281,7 @@ void NavierStokes::step(std::span<const Point> from, double t0, std::optional<do
   std::vector<double> change = state_.velocity;
   for (std::size_t i = 0; i < change.size(); ++i) change[i] = (change[i] - before[i]) / dt;
   put("acceleration", std::move(change));
-  if (convects && !from.empty()) put("mesh_velocity", std::move(motion));
+  if (convects && moves) put("mesh_velocity", std::move(motion));
   put_state();
 }
 
