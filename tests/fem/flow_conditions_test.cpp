@@ -204,3 +204,22 @@ TEST_CASE("two triangles between walls are refused with a word", "[navier_stokes
   CHECK_THROWS_WITH(flow.solve_steady(), Catch::Contains("face \"domain\" has 2 triangles between walls"));
   CHECK_THROWS_WITH(flow.initialise(), Catch::Contains("3 or more"));
 }
+
+TEST_CASE("a flow begins in fluids with and without inertia", "[navier_stokes]") {
+  const int degree = GENERATE(2, 3);
+  Mesh mesh(mapped_square(degree, 4, bend, true));
+  FlowProblem problem = flow_problem(mesh, 1, 1);
+  problem.materials[1].density = Coefficient(0);
+  const auto along = [](const Point& x, double) { return x.y; };
+  const auto across = [](const Point& x, double) { return x.x; };
+  set_velocity(problem, mesh, {"south", "east", "north", "west"}, along, across);
+  problem.initial = {coefficient(along), coefficient(across)};
+  NavierStokes flow(problem, mesh, {.by_splines = false});
+  flow.initialise();
+  CHECK(error_of(mesh, "velocity", 0, along) < 1e-9);
+  CHECK(error_of(mesh, "velocity", 1, across) < 1e-9);
+  // A gradient: where there is inertia, a pressure holds u . grad u = (x, y).
+  mesh.time = 1e-3;
+  flow.step({}, 0, {});
+  CHECK(error_of(mesh, "velocity", 0, along) < 2e-3);
+}

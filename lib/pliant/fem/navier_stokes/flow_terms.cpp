@@ -130,7 +130,8 @@ void FlowElement::add_volume(const FlowTerms& terms) {
         along_x += gx_[i] * u;
         along_y += gy_[i] * u;
       }
-    const double inertia = measure * density, convection = inertia * terms.convection / unit_;
+    const double weight = terms.projects ? std::max(density, terms.least_weight) : density;
+    const double inertia = measure * weight, convection = inertia * terms.convection / unit_;
     load = inertia * history;
     if (has_force_ && !terms.projects) {
       load += inertia * Vector{value(problem_.gravity[0], q), value(problem_.gravity[1], q)};

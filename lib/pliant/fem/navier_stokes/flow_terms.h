@@ -26,6 +26,8 @@ struct FlowTerms {
   std::span<const double> before;
   /// In place of all that: the function of no divergence that is nearest to `history`, weighted by density.
   bool projects = false;
+  /// Where the density is less, it counts as this much in that weight: fluids without inertia need some.
+  double least_weight = 0;
 };
 
 /// What is the same for all elements, and follows from the problem.

@@ -20,6 +20,7 @@ constexpr int most_with_old_factors = 25;   // iterations of GMRES; more cost as
 constexpr int most_solves = 150;            // of a steady flow, over all parts of convection
 constexpr double newton_tolerance = 1e-11;  // of the change in one iteration, relative to the velocity
 constexpr double newton_rounding = 1e-12;   // ... and to velocities that rounding makes
+constexpr double least_weight = 1e-6;       // of a density in a projection, relative to the greatest
 constexpr int least_triangles = 3;          // of an enclosed flow: with two, there are pressures that nothing feels
 constexpr double greatest_growth = 1e4;     // a change that has grown so much does not come back
 constexpr double least_raise = 1.0 / 1024;  // of convection, between two solutions
@@ -53,6 +54,20 @@ void NavierStokes::require_fields(const Mesh& mesh) {
 
 bool NavierStokes::has_inertia() const {
   return std::ranges::any_of(problem_.materials, [](const auto& each) { return each.density.constant() != 0.0; });
+}
+
+double NavierStokes::greatest_density() const {
+  double greatest = 0;
+  for (TriangleId t = 0; t < mesh_.triangle_slots(); ++t) {
+    const Coefficient& density = problem_.materials[index(mesh_.face(t))].density;
+    for (int c = 0; c < 3; ++c) {
+      Barycentric xi{0, 0, 0};
+      xi[index(c)] = 1;
+      const Point place = mesh_.boundary().unit * mesh_.point(mesh_.corner(t, c));
+      greatest = std::max(greatest, evaluate_at(density, {mesh_, t, xi, place, mesh_.time}));
+    }
+  }
+  return greatest;
 }
 
 std::vector<double> NavierStokes::field_values(const char* name) const {
@@ -236,6 +251,7 @@ void NavierStokes::initialise() {
   FlowTerms terms;
   terms.history = values;
   terms.projects = true;
+  terms.least_weight = least_weight * greatest_density();
   solve(now, terms);
   std::ranges::fill(state_.pressure, 0.0);  // of a projection it has no meaning
   put_state();

@@ -76,6 +76,7 @@ class NavierStokes {
  private:
   void require_triangles() const;
   bool has_inertia() const;
+  double greatest_density() const;  ///< at corners of elements
   std::vector<double> field_values(const char* name) const;
   void put(const char* name, std::vector<double> values);
   void put_state();
