@@ -39,8 +39,8 @@ inline void set_condition(FlowProblem& problem, const Mesh& mesh, const std::str
   problem.conditions.push_back(std::move(condition));
 }
 
-inline void set_velocity(FlowProblem& problem, const Mesh& mesh, const std::vector<std::string>& curves, Scalar u,
-                         Scalar v) {
+inline void set_velocity(FlowProblem& problem, const Mesh& mesh, const std::vector<std::string>& curves,
+                         const Scalar& u, const Scalar& v) {
   for (const std::string& curve : curves)
     set_condition(problem, mesh, curve,
                   {FlowCondition::Kind::velocity, coefficient(u), coefficient(v), "/problem/navierstokes/conditions"});
