@@ -61,7 +61,8 @@ Kind recognize(std::string_view bytes) {
 std::string describe_other_format(std::string_view format) {
   if (format == "pliant-mesh") return "this is a mesh, which all tools but bspline2mesh and import-* read";
   if (format == "pliant-boundary") return "this is a boundary, of which bspline2mesh makes a mesh";
-  if (format == "pliant-problem") return "this is a problem, which diffuse and navierstokes read with --problem beside a mesh";
+  if (format == "pliant-problem")
+    return "this is a problem, which diffuse and navierstokes read with --problem beside a mesh";
   return {};
 }
 
