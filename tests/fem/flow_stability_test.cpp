@@ -202,6 +202,7 @@ TEST_CASE("two triangles between walls are too few", "[navier_stokes]") {
 TEST_CASE("drops whose interface has few spans feel every pressure", "[navier_stokes]") {
   const int degree = GENERATE(2, 3, 4);
   for (const int spans : {3, 4, 5, 6, 8}) {
+    if (spans < degree) continue;  // no closed spline
     const Stability alone = of_drop(drop(degree, spans, false));
     CHECK(alone.modes == 0);
     CHECK(alone.constant > 0.26);
