@@ -67,9 +67,6 @@ void VelocityUnknowns::give(const Configuration& at, std::span<double> values) c
     }
   }
   correct_fluxes(at, values);
-  for (const auto& [to, from, weight] : given_terms_)
-    for (std::size_t component = 0; component < 2; ++component)
-      values[2 * index(to) + component] += weight * values[2 * index(from) + component];
 }
 
 /// What leaves one part of the mesh by the functions that were given, and by the values of its control points: the sum

@@ -156,8 +156,7 @@ class VelocityUnknowns::Builder {
         for (const auto& [number, weight] : sum(p)) {
           const Place& place = places_[index(number)];
           if (place.is_fixed) {
-            to_.has_given_[index(p)] = 1;
-            if (component == 0 && number != p) to_.given_terms_.push_back({p, number, weight});
+            to_.has_given_[index(p)] = 1;  // itself: the end of a clamped spline reaches no other control point
           } else if (place.first >= 0 && place.is_slip) {
             const Vector along = Vector{-place.normal.y, place.normal.x} / length(place.normal);
             const double part = component == 0 ? along.x : along.y;

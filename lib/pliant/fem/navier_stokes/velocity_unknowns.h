@@ -73,11 +73,6 @@ class VelocityUnknowns {
   std::vector<int> starts_;  // of each row among the terms
   std::vector<Term> terms_;
   std::vector<char> has_given_;  // for each control point
-  struct GivenTerm {
-    PointId to, from;
-    double weight;
-  };
-  std::vector<GivenTerm> given_terms_;  // at points of splines whose ends have given values
   std::vector<int> part_of_triangle_;
   std::vector<char> enclosed_;  // for each part
 };
