@@ -12,6 +12,14 @@ grep -q '^ok .*drag 5.5' out || fail "cylinder: $(cat out)"
 run 1 "$cylinder/check-forces" cylinder 1e-12 1e-12 1e-12
 grep -q '^FAILED drag' out || fail "check-forces does not see an error: $(cat out)"
 
+# The commands of its README, as they are printed.
+mkdir -p common printed
+cp "$SOURCE/samples/common/boundary.py" common
+cp "$cylinder/make-channel" "$cylinder/steady.json" printed
+sed -n '/^    \.\/make-channel/,/^$/p' "$cylinder/README.md" >printed/commands
+(cd printed && bash -e -o pipefail commands >forces.csv) || fail "the commands in the README of cylinder"
+grep -q 'drag,lift,difference$' printed/forces.csv || fail "the commands in the README of cylinder print no forces"
+
 run 0 make -C "$bubble" out="$PWD/bubble" SPANS=32 COARSEST=0.15 UNTIL=0.1 DT=0.02 EVERY=5 STILLS='0 0.1' bubble
 for file in bubble.csv bubble.svg picture.svg; do [ -s "bubble/$file" ] || fail "bubble makes no $file"; done
 
