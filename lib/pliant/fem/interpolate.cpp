@@ -52,4 +52,29 @@ std::vector<double> interpolate(const Space& space, const Mesh& mesh, const Conf
   return sums;
 }
 
+void interpolate_edge(const Mesh& mesh, const Configuration& at, HalfEdgeId h,
+                      std::span<const Coefficient* const> coefficients, std::span<double> values) {
+  const int p = mesh.degree();
+  const double unit = mesh.boundary().unit;
+  std::array<double, 2 * (max_degree + 1)> polygon;
+  const auto rows = std::span(polygon).first(2 * (index(p) + 1));
+  for (int k = 0; k <= p; ++k) {
+    const Point& place = at.points[index(mesh.edge_point(h, k))];
+    rows[2 * index(k)] = place.x;
+    rows[2 * index(k) + 1] = place.y;
+  }
+  for (int k = 0; k <= p; ++k) {
+    const double s = static_cast<double>(k) / p;
+    Barycentric xi{0, 0, 0};
+    xi[index(edge_of(h))] = 1 - s;
+    xi[index(edge_of(next(h)))] = s;
+    std::array<double, 2> x;
+    evaluate_polygon(p, 2, rows, s, x);
+    const CoefficientPoint there{mesh, triangle_of(h), xi, {unit * x[0], unit * x[1]}, at.time};
+    for (std::size_t c = 0; c < coefficients.size(); ++c)
+      values[index(k) * coefficients.size() + c] = evaluate_at(*coefficients[c], there);
+  }
+  interpolate_polygon(p, static_cast<int>(coefficients.size()), values);
+}
+
 }  // namespace pliant

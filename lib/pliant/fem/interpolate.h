@@ -1,6 +1,7 @@
 // lib/pliant/fem/interpolate.h: the interpolant of coefficients.
 #pragma once
 #include <functional>
+#include <span>
 #include <vector>
 
 #include "pliant/fem/coefficient.h"
@@ -18,5 +19,12 @@ using CoefficientOfFace = std::function<const Coefficient&(FaceId)>;
 /// Complexity  O(mesh)
 std::vector<double> interpolate(const Space& space, const Mesh& mesh, const Configuration& at,
                                 const CoefficientOfFace& coefficient);
+
+/// The same along one edge: the control values of the polynomials that interpolate coefficients at equally spaced
+/// parameters.
+/// Shapes      values: degree + 1 rows, from the half-edge's origin to its target, each with a value for each
+/// coefficient Throws      as interpolate
+void interpolate_edge(const Mesh& mesh, const Configuration& at, HalfEdgeId h,
+                      std::span<const Coefficient* const> coefficients, std::span<double> values);
 
 }  // namespace pliant

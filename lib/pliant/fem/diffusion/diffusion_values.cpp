@@ -6,33 +6,17 @@
 #include "pliant/boundary/fault.h"
 #include "pliant/fem/diffusion/diffusion_equation.h"
 #include "pliant/fem/interpolate.h"
-#include "pliant/geometry/control_net.h"
 #include "pliant/geometry/index.h"
 
 namespace pliant {
 
 void DiffusionEquation::fix(const Configuration& at, std::span<double> unknowns) const {
   const std::size_t n = index(mesh_.degree()) + 1;
-  const double unit = mesh_.boundary().unit;
-  std::vector<double> polygon(2 * n), values(n);
+  std::vector<double> values(n);
   std::vector<int> beyond(n);
   for_each_conditioned_edge([&](HalfEdgeId h, const DiffusionCondition& condition, std::span<const int> on_edge) {
     if (condition.kind != DiffusionCondition::Kind::value) return;
-    for (std::size_t k = 0; k < n; ++k) {
-      const Point& p = at.points[index(mesh_.edge_point(h, static_cast<int>(k)))];
-      polygon[2 * k] = p.x;
-      polygon[2 * k + 1] = p.y;
-    }
-    for (std::size_t k = 0; k < n; ++k) {
-      const double s = static_cast<double>(k) / mesh_.degree();
-      Barycentric xi{0, 0, 0};
-      xi[index(edge_of(h))] = 1 - s;
-      xi[index(edge_of(next(h)))] = s;
-      std::array<double, 2> x;
-      evaluate_polygon(mesh_.degree(), 2, polygon, s, x);
-      values[k] = evaluate_at(condition.first, {mesh_, triangle_of(h), xi, {unit * x[0], unit * x[1]}, at.time});
-    }
-    interpolate_polygon(mesh_.degree(), 1, values);
+    interpolate_edge(mesh_, at, h, std::array{&condition.first}, values);
     for (std::size_t k = 0; k < n; ++k) unknowns[index(on_edge[k])] = values[k];
     if (mesh_.twin(h) == none) return;
     gather_edge(mesh_.twin(h), beyond);

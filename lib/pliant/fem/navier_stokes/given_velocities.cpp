@@ -7,8 +7,8 @@
 
 #include "pliant/boundary/fault.h"
 #include "pliant/fem/edge_map.h"
+#include "pliant/fem/interpolate.h"
 #include "pliant/fem/navier_stokes/velocity_unknowns.h"
-#include "pliant/geometry/control_net.h"
 #include "pliant/geometry/describe.h"
 #include "pliant/geometry/index.h"
 
@@ -34,8 +34,7 @@ bool is_zero(const FlowCondition& condition) {
 void VelocityUnknowns::give(const Configuration& at, std::span<double> values) const {
   std::ranges::fill(values, 0.0);
   const std::size_t n = index(mesh_.degree()) + 1;
-  const double unit = mesh_.boundary().unit;
-  std::vector<double> polygon(2 * n), on_edge(2 * n);
+  std::vector<double> on_edge(2 * n);
   // The last condition first, so that where curves meet the first one counts.
   for (std::size_t k = problem_.conditions.size(); k-- > 0;) {
     const FlowCondition& condition = problem_.conditions[k];
@@ -43,23 +42,7 @@ void VelocityUnknowns::give(const Configuration& at, std::span<double> values) c
     for (std::size_t c = 0; c < edges_.size(); ++c) {
       if (problem_.condition_of_curve[c] != static_cast<int>(k)) continue;
       for (const HalfEdgeId h : edges_[c]) {
-        for (std::size_t i = 0; i < n; ++i) {
-          const Point& p = at.points[index(mesh_.edge_point(h, static_cast<int>(i)))];
-          polygon[2 * i] = p.x;
-          polygon[2 * i + 1] = p.y;
-        }
-        for (std::size_t i = 0; i < n; ++i) {
-          const double s = static_cast<double>(i) / mesh_.degree();
-          Barycentric xi{0, 0, 0};
-          xi[index(edge_of(h))] = 1 - s;
-          xi[index(edge_of(next(h)))] = s;
-          std::array<double, 2> x;
-          evaluate_polygon(mesh_.degree(), 2, polygon, s, x);
-          const CoefficientPoint there{mesh_, triangle_of(h), xi, {unit * x[0], unit * x[1]}, at.time};
-          on_edge[2 * i] = evaluate_at(condition.first, there);
-          on_edge[2 * i + 1] = evaluate_at(condition.second, there);
-        }
-        interpolate_polygon(mesh_.degree(), 2, on_edge);
+        interpolate_edge(mesh_, at, h, std::array{&condition.first, &condition.second}, on_edge);
         for (std::size_t i = 0; i < n; ++i)
           for (std::size_t component = 0; component < 2; ++component)
             values[2 * index(mesh_.edge_point(h, static_cast<int>(i))) + component] = on_edge[2 * i + component];
