@@ -85,3 +85,33 @@ TEST_CASE("steps of uneven lengths have order 2, on meshes at rest and in motion
   INFO("motion " << static_cast<int>(motion) << " errors " << errors[0] << " " << errors[1]);
   CHECK(std::log2(errors[0] / errors[1]) > 1.7);
 }
+
+TEST_CASE("corrections of a step converge to a step that is implicit", "[navier_stokes]") {
+  std::vector<std::vector<double>> velocities;
+  for (const int corrections : {0, 1, 2, 3}) {
+    Mesh mesh(mapped_square(
+        2, 6,
+        [](double x, double y) {
+          return Point{x, y};
+        },
+        true));
+    const FlowProblem problem = vortex_problem(mesh);
+    FlowOptions options;
+    options.corrections = corrections;
+    NavierStokes(problem, mesh, options).initialise();
+    take_step(problem, mesh, options, MeshMotion::harmonic, 0.02, {});
+    take_step(problem, mesh, options, MeshMotion::harmonic, 0.02, 0.02);
+    velocities.push_back(mesh.fields()[index(find_field(mesh, "velocity"))].values);
+  }
+  std::vector<double> changes;
+  for (std::size_t k = 1; k < velocities.size(); ++k) {
+    double change = 0;
+    for (std::size_t i = 0; i < velocities[k].size(); ++i)
+      change = std::max(change, std::abs(velocities[k][i] - velocities[k - 1][i]));
+    changes.push_back(change);
+  }
+  CAPTURE(changes[0], changes[1], changes[2]);
+  CHECK(changes[0] > 1e-6);
+  CHECK(changes[1] < 0.1 * changes[0]);
+  CHECK(changes[2] < 0.1 * changes[1]);
+}

@@ -62,6 +62,11 @@ void NavierStokesStage::add_options(CLI::App& app) {
   app.add_option("--scheme", scheme_, "how a step is taken: bdf2 (order 2) or euler")
       ->type_name("NAME")
       ->capture_default_str();
+  app.add_option("--corrections", options_.corrections,
+                 "solve a step again so often, with the velocity that came out as the one that convects")
+      ->type_name("N")
+      ->check(CLI::Range(0, 100))
+      ->capture_default_str();
   app.add_option("--mesh-velocity", mesh_velocity_,
                  "how the mesh moves between curves that follow the flow and curves that stay: harmonic, blend, "
                  "lagrangian (with the fluid) or fixed (not at all)")
@@ -95,8 +100,8 @@ void NavierStokesStage::check(const CLI::App& app) {
   const bool takes_steps = !steady_ && steps_ > 0;
   if (takes_steps && !problem_.wants_explanation()) return motion_.check(app);
   if (takes_steps) return;
-  for (const char* option :
-       {"--dt", "--until", "--limit", "--keep-area", "--min-gap", "--gap", "--scheme", "--mesh-velocity"})
+  for (const char* option : {"--dt", "--until", "--limit", "--keep-area", "--min-gap", "--gap", "--scheme",
+                             "--corrections", "--mesh-velocity"})
     if (app.count(option) > 0)
       throw UsageError(std::string(option) + " has no meaning with " + (steady_ ? "--steady" : "--steps 0"));
   if (steady_ && app.count("--steps") > 0) throw UsageError("--steps has no meaning with --steady");

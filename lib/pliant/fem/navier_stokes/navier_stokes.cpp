@@ -277,12 +277,16 @@ void NavierStokes::step(std::span<const Point> from, double t0, std::optional<do
     motion[2 * p] = moved.x;
     motion[2 * p + 1] = moved.y;
   }
+  // Relative to the mesh, whose rate is taken as that of the velocity.
+  const auto relative = [&](std::vector<double> velocity) {
+    for (std::size_t i = 0; i < velocity.size() && moves; ++i)
+      velocity[i] -= weight * motion[i] - (is_bdf2 ? (weight - 1) * last_motion[i] : 0);
+    return velocity;
+  };
   if (convects) {
     convecting = before;
-    for (std::size_t i = 0; i < before.size(); ++i) {
-      if (is_bdf2) convecting[i] += dt * rate[i];
-      if (moves) convecting[i] -= weight * motion[i] - (is_bdf2 ? (weight - 1) * last_motion[i] : 0);
-    }
+    for (std::size_t i = 0; i < before.size() && is_bdf2; ++i) convecting[i] += dt * rate[i];
+    convecting = relative(std::move(convecting));
   }
   FlowTerms terms;
   terms.inertia = weight / dt;
@@ -292,6 +296,11 @@ void NavierStokes::step(std::span<const Point> from, double t0, std::optional<do
   terms.before = before;
   const Configuration now{mesh_.points(), mesh_.time};
   solve(now, terms);
+  for (int k = 0; k < options_.corrections && convects; ++k) {
+    convecting = relative(state_.velocity);
+    terms.convecting = convecting;
+    solve(now, terms, true);
+  }
   find_forces(now, terms);
 
   std::vector<double> change = state_.velocity;

@@ -20,6 +20,8 @@ struct FlowOptions {
     bdf2,  ///< order 2, also for steps of uneven lengths; the first step is one of euler
     euler  ///< backward Euler, order 1
   } scheme = Scheme::bdf2;
+  /// The velocity that convects is extrapolated; so often a step is solved again with the one that came out.
+  int corrections = 0;
   /// The mesh moves with the fluid, but for curves that stay, on which the fluid is at rest: nothing is convected.
   bool mesh_follows = false;
   /// Curves that follow the flow have splines as velocities (VelocityUnknowns).
