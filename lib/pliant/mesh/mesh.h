@@ -106,7 +106,7 @@ class Mesh {
 
   // -- control values: a row is x, y, then every component of every field
   const Point& point(PointId p) const { return points_[index(p)]; }
-  /// Of all slots.
+  /// Those of all slots.
   std::span<const Point> points() const { return points_; }
   int width() const { return width_; }
   const std::vector<Field>& fields() const { return fields_; }

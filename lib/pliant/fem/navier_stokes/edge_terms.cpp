@@ -51,7 +51,7 @@ void FlowElement::add_outflow(HalfEdgeId h, const FlowTerms& terms) {
   const auto local = [&](int k) { return mesh_.layout().edge_index(edge_of(h), k); };
   for (int q = 0; q < edge_.points(); ++q) {
     const auto b = edge_.values_at(q), db = edge_.derivatives_at(q);
-    // What flows in brings no momentum: half of what convection would bring of it is taken away.
+    // What flows in brings no energy: half of what convection would bring of momentum is taken away.
     double inflow = 0;
     if (!terms.convecting.empty()) {
       const Vector outward = edge_.weight(q) * Vector{edge_.along(q).y, -edge_.along(q).x};

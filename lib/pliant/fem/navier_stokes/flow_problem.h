@@ -22,7 +22,7 @@ struct FlowCondition {
     velocity,  ///< the velocity is `first`, `second`
     slip,      ///< nothing crosses the curve, and nothing holds the fluid back along it
     traction,  ///< the stress on the curve from outside is `first`, `second` (natural: 0, 0)
-    outflow    ///< viscosity du/dn - p n = 0 (do nothing), and nothing that comes back in brings momentum
+    outflow    ///< viscosity du/dn - p n = 0 (do nothing), and what comes back in brings no energy
   } kind = Kind::velocity;
   Coefficient first{0};
   Coefficient second{0};

@@ -92,9 +92,9 @@ void FlowElement::set(std::span<const Point> points, double time, TriangleId t, 
   points_ = points;
   triangle_ = t;
   time_ = time;
-  map_.set(mesh_, points, t, varying_[index(mesh_.face(t))] ? Integrand::varying : Integrand::constant);
-  if (map_.is_affine() && !varying_[index(mesh_.face(t))] && !terms.convecting.empty())
-    map_.set(mesh_, points, t, Integrand::varying);  // products of three functions
+  // Convection is a product of three functions.
+  const bool varies = varying_[index(mesh_.face(t))] != 0 || !terms.convecting.empty();
+  map_.set(mesh_, points, t, varies ? Integrand::varying : Integrand::constant);
   std::ranges::fill(matrix_, 0.0);
   std::ranges::fill(load_, 0.0);
   evaluate_materials();

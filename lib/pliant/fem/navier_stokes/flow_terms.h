@@ -17,7 +17,7 @@ struct FlowTerms {
   std::span<const double> history;
   /// density * (convecting . grad) u, where `convecting` is relative to the mesh.
   std::span<const double> convecting;
-  double convection = 1;  ///< this part of convection
+  double convection = 1;  ///< how much of convection counts, from 0 to 1
   /// The convecting velocity is the unknown itself: the equation is that of one step of Newton's method.
   bool newton = false;
   /// Surface tension acts on curves as they will be after so much more time at the change of velocity from `before`;

@@ -2,7 +2,6 @@
 #include "pliant/fem/navier_stokes/velocity_unknowns.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
 #include <numeric>
@@ -27,6 +26,7 @@ class VelocityUnknowns::Builder {
   Builder(VelocityUnknowns& result, std::span<const char> jumps, bool by_splines)
       : to_(result), mesh_(result.mesh_), problem_(result.problem_), sums_(index(mesh_.point_slots())) {
     places_.resize(index(mesh_.point_slots()));
+    for (PointId p = 0; p < mesh_.point_slots(); ++p) themselves_.push_back({p, 1.0});
     if (by_splines) add_splines();
     for (std::size_t c = 0; c < to_.edges_.size(); ++c)
       for (const HalfEdgeId h : to_.edges_[c]) apply_condition(static_cast<CurveId>(c), h);
@@ -91,8 +91,8 @@ class VelocityUnknowns::Builder {
   }
 
   /// The places that a control point is made of.
-  std::vector<Weighted> sum(PointId p) const {
-    return sums_[index(p)].empty() ? std::vector<Weighted>{{p, 1.0}} : sums_[index(p)];
+  std::span<const Weighted> sum(PointId p) const {
+    return sums_[index(p)].empty() ? std::span(themselves_).subspan(index(p), 1) : std::span(sums_[index(p)]);
   }
 
   void apply_condition(CurveId c, HalfEdgeId h) {
@@ -213,6 +213,7 @@ class VelocityUnknowns::Builder {
   const FlowProblem& problem_;
   EdgeMap map_{mesh_.degree()};
   std::vector<std::vector<Weighted>> sums_;  // for each control point; empty: itself
+  std::vector<Weighted> themselves_;         // each control point as such a sum
   std::vector<Place> places_;                // the control points, then coefficients
 };
 

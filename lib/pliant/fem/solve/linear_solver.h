@@ -58,7 +58,7 @@ class LinearSolver {
   virtual void apply(std::span<const double> b, std::span<double> x) const;
 };
 
-/// Of an iterative solver within another one.
+/// The relative residual of an iterative solver that preconditions another one.
 inline constexpr double approximate_tolerance = 1e-2;
 
 /// The relative residual that every system is solved to.
