@@ -9,7 +9,7 @@ target_link_libraries(pliant INTERFACE pliant_evolve pliant_generate pliant_flow
 install(TARGETS pliant pliant_geometry pliant_boundary pliant_mesh pliant_ops pliant_quality pliant_flow pliant_fem pliant_evolve pliant_improve
                 pliant_generate
         EXPORT pliantTargets FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
-# In the tree and installed, these are included as "formats/document/mesh_json.h". Users need not have nlohmann-json.
+# In the tree and installed, these are included as "formats/document/mesh_document.h". Users need not have nlohmann-json.
 install(TARGETS pliant_formats EXPORT pliantTargets FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/pliant)
 
 include(CMakePackageConfigHelpers)

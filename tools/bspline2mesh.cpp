@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "formats/document/mesh_json.h"
+#include "formats/document/mesh_document.h"
 #include "options/criteria_options.h"
 #include "options/field_option.h"
 #include "options/numbers.h"

@@ -1,7 +1,7 @@
 // tools/import-msh.cpp: reads a file of Gmsh's as a mesh.
 #include <CLI/CLI.hpp>
 
-#include "formats/document/mesh_json.h"
+#include "formats/document/mesh_document.h"
 #include "formats/msh/msh.h"
 #include "options/field_option.h"
 #include "options/numbers.h"

@@ -5,7 +5,7 @@
 #include <memory>
 #include <system_error>
 
-#include "formats/document/mesh_json.h"
+#include "formats/document/mesh_document.h"
 #include "formats/document/recognize.h"
 #include "formats/svg_import/svg_reader.h"
 #include "options/numbers.h"

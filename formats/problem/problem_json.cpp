@@ -1,8 +1,8 @@
 // formats/problem/problem_json.cpp: the problem document, formats/problem.md.
 #include "formats/problem/problem_json.h"
 
-#include "formats/document/boundary_json.h"
-#include "formats/document/mesh_json.h"
+#include "formats/document/boundary_document.h"
+#include "formats/document/mesh_document.h"
 #include "formats/document/presence.h"
 #include "formats/problem/diffuse_json.h"
 #include "formats/problem/names.h"

@@ -21,7 +21,7 @@
 #include <vector>
 
 #include "formats/document/document_stream.h"
-#include "formats/document/mesh_json.h"
+#include "formats/document/mesh_document.h"
 #include "pliant/geometry/control_net.h"
 #include "pliant/geometry/quadrature.h"
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "formats/document/document_stream.h"
-#include "formats/document/mesh_json.h"
+#include "formats/document/mesh_document.h"
 #include "pliant/geometry/net_layout.h"
 
 namespace {

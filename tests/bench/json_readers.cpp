@@ -18,7 +18,7 @@
 #include <simdjson.h>
 #endif
 
-#include "formats/document/mesh_json.h"
+#include "formats/document/mesh_document.h"
 
 namespace {
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "formats/document/mesh_json.h"
+#include "formats/document/mesh_document.h"
 #include "support/carried_members.h"
 #include "support/triangles.h"
 

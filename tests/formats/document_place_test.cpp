@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "formats/document/mesh_json.h"
+#include "formats/document/mesh_document.h"
 #include "formats/document/read_json.h"
 
 using namespace pliant;

@@ -1,5 +1,5 @@
 // tests/formats/mesh_json_test.cpp: the mesh document is lossless, strict, and says where it is wrong.
-#include "formats/document/mesh_json.h"
+#include "formats/document/mesh_document.h"
 
 #include <algorithm>
 #include <catch2/catch.hpp>

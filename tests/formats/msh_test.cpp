@@ -3,7 +3,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "formats/document/mesh_json.h"
+#include "formats/document/mesh_document.h"
 #include "pliant/geometry/index.h"
 #include "pliant/mesh/check_mesh.h"
 #include "support/sample_meshes.h"

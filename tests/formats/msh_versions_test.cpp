@@ -2,7 +2,7 @@
 // order.
 #include <catch2/catch.hpp>
 
-#include "formats/document/mesh_json.h"
+#include "formats/document/mesh_document.h"
 #include "formats/msh/msh.h"
 #include "support/sample_meshes.h"
 #include "tests/formats/msh_sample.h"

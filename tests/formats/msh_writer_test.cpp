@@ -7,7 +7,7 @@
 #include <map>
 #include <set>
 
-#include "formats/document/mesh_json.h"
+#include "formats/document/mesh_document.h"
 #include "formats/msh/msh.h"
 #include "pliant/generate/mesh_from_boundary.h"
 #include "pliant/geometry/index.h"

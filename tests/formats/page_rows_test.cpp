@@ -4,7 +4,7 @@
 #include <fstream>
 #include <set>
 
-#include "formats/document/mesh_json.h"
+#include "formats/document/mesh_document.h"
 #include "formats/msh/msh.h"
 #include "formats/msh/msh_writer.h"
 #include "formats/svg_import/svg_reader.h"

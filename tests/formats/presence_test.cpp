@@ -3,7 +3,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "formats/document/mesh_json.h"
+#include "formats/document/mesh_document.h"
 
 using namespace pliant;
 

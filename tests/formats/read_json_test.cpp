@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "formats/document/mesh_json.h"
+#include "formats/document/mesh_document.h"
 #include "formats/document/write_json.h"
 #include "support/triangles.h"
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "formats/document/mesh_json.h"
+#include "formats/document/mesh_document.h"
 #include "ops/random_operations.h"
 #include "pliant/generate/mesh_from_boundary.h"
 #include "pliant/geometry/linear_triangle.h"

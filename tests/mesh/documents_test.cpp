@@ -1,7 +1,7 @@
 // tests/mesh/documents_test.cpp: a live mesh and its document: compacting does what writing and reading again does.
 #include <catch2/catch.hpp>
 
-#include "formats/document/mesh_json.h"
+#include "formats/document/mesh_document.h"
 #include "mesh/same_mesh.h"
 #include "ops/random_operations.h"
 #include "pliant/mesh/check_mesh.h"

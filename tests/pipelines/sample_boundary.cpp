@@ -7,7 +7,7 @@
 #include <map>
 #include <string>
 
-#include "formats/document/mesh_json.h"
+#include "formats/document/mesh_document.h"
 #include "support/sample_boundaries.h"
 
 int main(int argc, char** argv) {

@@ -3,7 +3,7 @@
 #include <cstdlib>
 #include <string>
 
-#include "formats/document/mesh_json.h"
+#include "formats/document/mesh_document.h"
 #include "support/carried_members.h"
 #include "support/sample_meshes.h"
 

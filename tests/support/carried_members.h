@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "formats/document/mesh_json.h"
+#include "formats/document/mesh_document.h"
 
 namespace pliant::samples {
 

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "formats/document/mesh_json.h"
+#include "formats/document/mesh_document.h"
 #include "pliant/mesh/documents/document_unit.h"
 #include "run/require_mesh.h"
 #include "stages/run_stage.h"

@@ -15,7 +15,7 @@
 #include "evolve/step_count.h"
 #include "evolve/step_logs.h"
 #include "evolve/step_note.h"
-#include "formats/document/mesh_json.h"
+#include "formats/document/mesh_document.h"
 #include "pliant/evolve/courant.h"
 #include "pliant/evolve/evolution.h"
 #include "pliant/evolve/steadiness.h"

@@ -7,7 +7,7 @@
 
 #include "evolve/step_count.h"
 #include "evolve/step_note.h"
-#include "formats/document/mesh_json.h"
+#include "formats/document/mesh_document.h"
 #include "pliant/mesh/documents/document_unit.h"
 #include "run/documents.h"
 #include "run/exit_status.h"

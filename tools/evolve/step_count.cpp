@@ -5,7 +5,7 @@
 #include <charconv>
 #include <string>
 
-#include "formats/document/mesh_json.h"
+#include "formats/document/mesh_document.h"
 
 namespace pliant {
 namespace {

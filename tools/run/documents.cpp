@@ -8,7 +8,7 @@
 #include <system_error>
 
 #include "formats/document/document_stream.h"
-#include "formats/document/mesh_json.h"
+#include "formats/document/mesh_document.h"
 #include "formats/document/read_json.h"
 #include "formats/msh/msh.h"
 #include "pliant/mesh/documents/document_unit.h"

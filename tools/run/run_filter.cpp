@@ -4,7 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <optional>
 
-#include "formats/document/mesh_json.h"
+#include "formats/document/mesh_document.h"
 #include "options/criteria_options.h"
 #include "pliant/mesh/documents/document_unit.h"
 #include "run/documents.h"

@@ -4,7 +4,7 @@
 #include <sstream>
 #include <string>
 
-#include "formats/document/mesh_json.h"
+#include "formats/document/mesh_document.h"
 #include "formats/document/read_json.h"
 #include "formats/problem/names.h"
 #include "formats/problem/problem_json.h"

@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <string>
 
-#include "formats/document/mesh_json.h"
+#include "formats/document/mesh_document.h"
 #include "pliant/generate/mesh_from_boundary.h"
 #include "pliant/improve/refine.h"
 #include "pliant/quality/quality_report.h"

@@ -1,10 +1,10 @@
-// formats/document/boundary_json.cpp: the boundary document, formats/boundary.md.
-#include "formats/document/boundary_json.h"
+// formats/document/boundary_document.cpp: the boundary document, formats/boundary.md.
+#include "formats/document/boundary_document.h"
 
 #include <optional>
 #include <string>
 
-#include "formats/document/mesh_json.h"
+#include "formats/document/mesh_document.h"
 #include "formats/document/presence.h"
 #include "formats/document/recognize.h"
 

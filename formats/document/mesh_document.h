@@ -1,4 +1,4 @@
-// formats/document/mesh_json.h: the mesh and boundary documents, as JSON and JSON Lines (formats/mesh.md).
+// formats/document/mesh_document.h: the mesh and boundary documents, as JSON and JSON Lines (formats/mesh.md).
 #pragma once
 #include <string>
 #include <string_view>

@@ -1,9 +1,9 @@
-// formats/document/mesh_json.cpp: the mesh document, formats/mesh.md.
-#include "formats/document/mesh_json.h"
+// formats/document/mesh_document.cpp: the mesh document, formats/mesh.md.
+#include "formats/document/mesh_document.h"
 
 #include <string>
 
-#include "formats/document/boundary_json.h"
+#include "formats/document/boundary_document.h"
 #include "formats/document/presence.h"
 #include "pliant/geometry/net_layout.h"
 #include "pliant/mesh/check_mesh.h"

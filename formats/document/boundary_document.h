@@ -1,4 +1,4 @@
-// formats/document/boundary_json.h: the boundary as a member of other documents.
+// formats/document/boundary_document.h: the boundary as a member of other documents.
 #pragma once
 #include "formats/document/read_json.h"
 #include "formats/document/write_json.h"
