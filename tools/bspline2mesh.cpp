@@ -71,6 +71,7 @@ struct MeshingOptions {
 
   void add(CLI::App& app) {
     add_common_options(app, tool);
+    add_form_option(app, tool);
     app.add_option("--degree", degree_text_, "degree of the mesh, 1 to 10; default: the curves' greatest, at least 2")
         ->type_name("N");
     app.add_flag("--resolve", resolves,
@@ -119,12 +120,10 @@ class Meshing {
     line_.stage("write");
     options_.fields.apply(mesh);
     if (!find_invalid(mesh).empty()) throw NoResult("elements of the result are not valid");
-    text_.clear();
     report_in_document(report, boundary.unit);
     MeshData data = mesh.to_data();
     restore_unit(data);
-    write_mesh(data, text_);
-    output_.write(text_);
+    write_mesh(data, options_.tool.output_form(frame.form), [this](std::string_view piece) { output_.write(piece); });
     seconds_.emplace_back("write", watch_.lap());
     reports_.add(frame, mesh.time, report, seconds_);
     line_.frames_done(frame.index + 1);
@@ -166,7 +165,6 @@ class Meshing {
   FrameReports& reports_;
   Stopwatch watch_;
   std::vector<std::pair<std::string, double>> seconds_;  // what each stage took
-  std::string text_;
 };
 
 }  // namespace

@@ -54,6 +54,8 @@ int main(int argc, char** argv) {
   FieldOption fields;
   std::string time_text = "0";
   add_common_options(app, options);
+  add_form_option(app, options);
+  app.get_option("--to")->description("the form of the document; json by default");
   app.add_flag("--orient", msh.orient, "turn parts of the mesh whose triangles run clockwise");
   fields.add(app);
   app.add_option("--time", time_text, "time of the mesh")->type_name("T")->capture_default_str();
@@ -73,11 +75,9 @@ int main(int argc, char** argv) {
       Mesh mesh(std::move(import.mesh));
       mesh.time = time;
       in_unit(unit, [&] { fields.apply(mesh); });
-      std::string text;
       MeshData data = mesh.to_data();
       restore_unit(data);
-      write_mesh(data, text);
-      output.write(text);
+      write_mesh(data, options.output_form(frame.form), [&](std::string_view piece) { output.write(piece); });
       reports.add(frame, mesh.time, report, {{"read", read}, {"check", check}, {"write", watch.lap()}});
     });
     output.commit();

@@ -5,6 +5,7 @@
 #include <memory>
 #include <system_error>
 
+#include "formats/document/byte_source.h"
 #include "formats/document/mesh_document.h"
 #include "formats/document/recognize.h"
 #include "formats/svg_import/svg_reader.h"
@@ -21,7 +22,7 @@ namespace {
 using namespace pliant;
 
 /// All of the input.
-std::string read_all(const std::string& path, const std::string& name) {
+std::string read_input(const std::string& path, const std::string& name) {
   struct Closer {
     void operator()(std::FILE* file) const { std::fclose(file); }
   };
@@ -30,17 +31,8 @@ std::string read_all(const std::string& path, const std::string& name) {
     file.reset(std::fopen(path.c_str(), "rb"));
     if (file == nullptr) throw std::system_error(errno, std::generic_category(), name);
   }
-  std::FILE* in = file == nullptr ? stdin : file.get();
-  std::string bytes;
-  constexpr std::size_t block = 1 << 16;
-  for (std::size_t read = block; read == block;) {
-    const std::size_t before = bytes.size();
-    bytes.resize(before + block);
-    read = std::fread(bytes.data() + before, 1, block, in);
-    bytes.resize(before + read);
-  }
-  if (std::ferror(in) != 0) throw std::system_error(errno, std::generic_category(), name);
-  return bytes;
+  ByteSource source(file == nullptr ? stdin : file.get(), name);
+  return pliant::read_all(source);
 }
 
 PassReport summarize(const SvgImport& import) {
@@ -93,6 +85,8 @@ int main(int argc, char** argv) {
   SvgReadOptions svg;
   std::string degree = "2", tolerance = "1e-6";
   add_common_options(app, options);
+  add_form_option(app, options);
+  app.get_option("--to")->description("the form of the document; json by default");
   app.add_option("--degree", degree, "of the curves: 2, or 3, which takes cubic curves exactly")
       ->type_name("N")
       ->capture_default_str();
@@ -113,7 +107,7 @@ int main(int argc, char** argv) {
     Stopwatch watch;
     Frame frame;
     frame.source = options.input == "-" ? "standard input" : options.input;
-    const std::string bytes = read_all(options.input, frame.source);
+    const std::string bytes = read_input(options.input, frame.source);
     SvgImport import;
     try {
       import = read_svg(bytes, svg);
@@ -125,7 +119,7 @@ int main(int argc, char** argv) {
       for (const std::string& warning : import.warnings) say(options, frame.source + ": " + warning);
     const double read = watch.lap();
     std::string text;
-    write_boundary(import.boundary, text);
+    write_boundary(import.boundary, text, options.output_form(DocumentForm::json));
     output.write(text);
     reports.add(frame, 0, summarize(import), {{"read", read}, {"write", watch.lap()}});
     output.commit();

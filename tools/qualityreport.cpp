@@ -158,7 +158,6 @@ int main(int argc, char** argv) {
   CLI::App app{"Measure the quality of a mesh: validity, shape, curvature, sizes, fields.", "qualityreport"};
   ToolOptions options;
   ReportOptions own;
-  options.takes_msh = true;
   add_common_options(app, options, false);
   own.add(app);
   return run_tool(app, argc, argv, options, [&] {

@@ -7,11 +7,13 @@
 #include "formats/document/mesh_document.h"
 #include "formats/document/presence.h"
 #include "formats/document/recognize.h"
+#include "formats/document/write_cbor.h"
+#include "formats/document/write_json.h"
 
 namespace pliant {
 namespace {
 
-Face read_face(JsonReader& in) {
+Face read_face(DocumentReader& in) {
   Face face;
   Presence seen(in);
   in.object(face.extra, [&](std::string_view name) {
@@ -23,7 +25,7 @@ Face read_face(JsonReader& in) {
   return face;
 }
 
-int read_index_or_null(JsonReader& in) {
+int read_index_or_null(DocumentReader& in) {
   if (in.null()) return -1;
   const int index = in.integer();
   if (index < 0) in.fail("should be an index from 0, or null");
@@ -37,7 +39,7 @@ struct SplineMembers {
   std::vector<double> knots;
   std::vector<Point> points;
 
-  BSpline make(const JsonReader& in, const std::string& name) {
+  BSpline make(const DocumentReader& in, const std::string& name) {
     if (const std::optional<std::string> fault = BSpline::fault(degree, closed, knots, points)) {
       // A fault that opens with its place ("knots/7 is less than knots/6") extends the pointer.
       const std::string first = fault->substr(0, fault->find(' '));
@@ -48,7 +50,7 @@ struct SplineMembers {
   }
 };
 
-Curve read_curve(JsonReader& in) {
+Curve read_curve(DocumentReader& in) {
   Curve curve;
   SplineMembers spline;
   Presence seen(in);
@@ -93,7 +95,7 @@ Curve read_curve(JsonReader& in) {
 }
 
 /// Indices of vertices and faces, which can stand in the document before what they refer to.
-void check_indices(const JsonReader& in, const BoundaryComplex& boundary) {
+void check_indices(const DocumentReader& in, const BoundaryComplex& boundary) {
   const auto check = [&](int index, std::size_t count, const char* of, const std::string& place) {
     if (index >= 0 && static_cast<std::size_t>(index) >= count)
       in.fail("is " + std::to_string(index) + ", but there are " + std::to_string(count) + " " + of, place);
@@ -113,21 +115,21 @@ void check_indices(const JsonReader& in, const BoundaryComplex& boundary) {
   }
 }
 
-void write_index_or_null(JsonWriter& out, int index) {
+void write_index_or_null(DocumentWriter& out, int index) {
   if (index < 0)
     out.null();
   else
     out.value(index);
 }
 
-void write_curve(JsonWriter& out, const Curve& curve) {
+void write_curve(DocumentWriter& out, const Curve& curve) {
   out.begin_object().name("name").value(curve.name);
   out.name("degree").value(curve.spline.degree()).name("closed").value(curve.spline.closed());
-  out.name("knots").begin_array();
-  for (const double knot : curve.spline.knots()) out.value(knot);
-  out.end_array().name("points").begin_array();
-  for (const Point& p : curve.spline.points()) out.value(p.x).value(p.y);
-  out.end_array().name("start");
+  const auto& knots = curve.spline.knots();
+  const auto& points = curve.spline.points();
+  out.name("knots").numbers(std::vector<double>(knots.begin(), knots.end()));
+  out.name("points").points(std::vector<Point>(points.begin(), points.end()));
+  out.name("start");
   write_index_or_null(out, curve.start);
   out.name("end");
   write_index_or_null(out, curve.end);
@@ -142,19 +144,19 @@ void write_curve(JsonWriter& out, const Curve& curve) {
 
 }  // namespace
 
-void read_format(JsonReader& in, std::string_view format) {
+void read_format(DocumentReader& in, std::string_view format) {
   const std::string found = in.string();
   if (found == format) return;
   const std::string other = describe_other_format(found);
   in.fail("is \"" + found + "\", not \"" + std::string(format) + "\"" + (other.empty() ? "" : ": " + other));
 }
 
-void read_version(JsonReader& in) {
+void read_version(DocumentReader& in) {
   const int version = in.integer();
   if (version != 1) in.fail("is " + std::to_string(version) + "; this reader knows version 1");
 }
 
-BoundaryComplex read_boundary_object(JsonReader& in, bool alone) {
+BoundaryComplex read_boundary_object(DocumentReader& in, bool alone) {
   BoundaryComplex boundary;
   Presence seen(in);
   in.object(boundary.extra, [&](std::string_view name) {
@@ -181,12 +183,10 @@ BoundaryComplex read_boundary_object(JsonReader& in, bool alone) {
   return boundary;
 }
 
-void write_boundary_object(JsonWriter& out, const BoundaryComplex& boundary, bool alone) {
+void write_boundary_object(DocumentWriter& out, const BoundaryComplex& boundary, bool alone) {
   out.begin_object();
   if (alone) out.name("format").value("pliant-boundary").name("version").value(1);
-  out.name("vertices").begin_array();
-  for (const Point& p : boundary.vertices) out.value(p.x).value(p.y);
-  out.end_array().name("faces").begin_array();
+  out.name("vertices").points(boundary.vertices).name("faces").begin_array();
   for (const Face& face : boundary.faces) {
     out.begin_object().name("name").value(face.name);
     out.members(face.extra);
@@ -194,24 +194,27 @@ void write_boundary_object(JsonWriter& out, const BoundaryComplex& boundary, boo
   }
   out.end_array().name("curves").begin_array();
   for (const Curve& curve : boundary.curves) write_curve(out, curve);
-  out.end_array().name("cusps").begin_array();
-  for (const int v : boundary.cusps) out.value(v);
-  out.end_array().members(boundary.extra);
+  out.end_array().name("cusps").integers(boundary.cusps).members(boundary.extra);
   out.end_object();
 }
 
-BoundaryComplex read_boundary(std::string_view json, std::vector<Doubt>* doubts) {
-  JsonReader in(json);
-  BoundaryComplex boundary = read_boundary_object(in, true);
-  in.finish();
-  if (doubts != nullptr) *doubts = in.doubts();
+BoundaryComplex read_boundary(std::string_view document, ReaderNotes* notes) {
+  const auto in = reader_of(document);
+  BoundaryComplex boundary = read_boundary_object(*in, true);
+  in->finish();
+  if (notes != nullptr) *notes = {in->doubts(), in->number_arrays()};
   return boundary;
 }
 
-void write_boundary(const BoundaryComplex& boundary, std::string& out) {
-  JsonWriter writer(out);
-  write_boundary_object(writer, boundary, true);
-  out += '\n';
+void write_boundary(const BoundaryComplex& boundary, std::string& out, DocumentForm form) {
+  const auto write = [&](auto&& writer) {
+    write_boundary_object(writer, boundary, true);
+    writer.end();
+  };
+  if (form == DocumentForm::cbor)
+    write(CborWriter(out));
+  else
+    write(JsonWriter(out));
 }
 
 }  // namespace pliant

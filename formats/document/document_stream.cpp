@@ -1,4 +1,4 @@
-// formats/document/document_stream.cpp: cuts a stream into documents by their braces, with memory for one.
+// formats/document/document_stream.cpp: cuts a stream into documents, by their braces or the lengths of CBOR.
 #include "formats/document/document_stream.h"
 
 #include <sys/mman.h>
@@ -12,6 +12,10 @@
 #include <new>
 #include <system_error>
 #include <utility>
+
+#include "formats/document/byte_source.h"
+#include "formats/document/cbor_items.h"
+#include "formats/document/document_form.h"
 
 namespace pliant {
 namespace {
@@ -72,14 +76,18 @@ struct Freer {
 }  // namespace
 
 struct DocumentStream::State {
-  std::FILE* stream;
-  std::string name;
+  State(std::FILE* stream, std::string name) : source(stream, std::move(name)) {}
+  State(const State&) = delete;
+  State& operator=(const State&) = delete;
+
+  ByteSource source;
   std::unique_ptr<char, Freer> buffer;  // [begin, end) is read and not yet given away
   std::size_t room = 0, begin = 0, end = 0;
   bool at_end = false;
   long frame = -1;
   long line = 1;        // of buffer[begin]
   long first_line = 1;  // of the document last returned
+  std::int64_t byte = 0, first_byte = 0;  // the same
   void* mapped = MAP_FAILED;
   std::size_t mapped_size = 0;
 
@@ -96,7 +104,7 @@ struct DocumentStream::State {
       begin = 0;
     }
     if (room == end) grow();
-    const std::size_t got = read_some(buffer.get() + end, room - end);
+    const std::size_t got = source.read(buffer.get() + end, room - end);
     end += got;
     at_end = got == 0;
     return got > 0;
@@ -112,21 +120,10 @@ struct DocumentStream::State {
     room = wanted;
   }
 
-  /// What there is, without waiting for more: the first frame of a slow series is worked on while the next one is made.
-  /// Streams without a file descriptor are in memory.
-  std::size_t read_some(char* to, std::size_t count) {
-    const int file = fileno(stream);
-    for (;;) {
-      const ssize_t got = file < 0 ? static_cast<ssize_t>(std::fread(to, 1, count, stream)) : ::read(file, to, count);
-      if (got >= 0) return static_cast<std::size_t>(got);
-      if (errno != EINTR) throw std::system_error(errno, std::generic_category(), "reading " + name);
-    }
-  }
-
   /// The bytes of a regular file that starts like this, unless something has been read; otherwise none.
   std::string_view map_file(std::string_view start) {
     struct stat status {};
-    const int file = fileno(stream);
+    const int file = fileno(source.stream());
     std::string first(start.size(), '\0');
     if (file < 0 || ::fstat(file, &status) != 0 || !S_ISREG(status.st_mode) || ::lseek(file, 0, SEEK_CUR) != 0 ||
         ::pread(file, first.data(), first.size(), 0) != static_cast<ssize_t>(first.size()) || first != start)
@@ -140,7 +137,26 @@ struct DocumentStream::State {
   void pass(std::size_t count) {
     const char* first = buffer.get() + begin;
     line += std::count(first, first + count, '\n');
+    pass_binary(count);
+  }
+  void pass_binary(std::size_t count) {
     begin += count;
+    byte += static_cast<std::int64_t>(count);
+  }
+
+  /// Frees the memory before `begin`.
+  void release() {
+    if (begin == 0) return;
+    const std::size_t left = end - begin;
+    std::unique_ptr<char, Freer> smaller;
+    if (left > 0) {
+      smaller.reset(static_cast<char*>(std::malloc(left)));
+      if (smaller == nullptr) throw std::bad_alloc();
+      std::memcpy(smaller.get(), buffer.get() + begin, left);
+    }
+    buffer = std::move(smaller);
+    room = end = left;
+    begin = 0;
   }
 
   /// Passes white space; false at the end of the stream.
@@ -168,6 +184,18 @@ struct DocumentStream::State {
     }
   }
 
+  /// The same of an item of CBOR.
+  std::size_t find_item_end() {
+    CborItemEnd item;
+    std::size_t scanned = 0;
+    for (;;) {
+      const char* first = buffer.get() + begin;
+      scanned = static_cast<std::size_t>(item.scan(first + scanned, buffer.get() + end) - first);
+      if (item.is_done()) return scanned;
+      if (!fill()) return end - begin;
+    }
+  }
+
   /// The offset of the next line break at or behind `offset`, or of the end of the stream.
   std::size_t find_line_end(std::size_t offset) {
     for (;;) {
@@ -180,10 +208,8 @@ struct DocumentStream::State {
   }
 };
 
-DocumentStream::DocumentStream(std::FILE* stream, std::string name) : state_(std::make_unique<State>()) {
-  state_->stream = stream;
-  state_->name = std::move(name);
-}
+DocumentStream::DocumentStream(std::FILE* stream, std::string name)
+    : state_(std::make_unique<State>(stream, std::move(name))) {}
 DocumentStream::~DocumentStream() = default;
 
 bool DocumentStream::next(std::string_view& document) {
@@ -191,13 +217,18 @@ bool DocumentStream::next(std::string_view& document) {
   if (!s.find_start()) return false;
   ++s.frame;
   s.first_line = s.line;
+  s.first_byte = s.byte;
+  const char first = s.buffer.get()[s.begin];
+  const bool is_cbor = begins_cbor(first);
   // What follows an object on its line, or is no object at all, goes to the reader, which refuses it.
-  const std::size_t object = s.buffer.get()[s.begin] == '{' ? s.find_object_end() : 0;
-  const std::size_t size = s.find_line_end(object);
+  const std::size_t object = first == '{' ? s.find_object_end() : 0;
+  const std::size_t size = is_cbor ? s.find_item_end() : s.find_line_end(object);
   document = {s.buffer.get() + s.begin, size};
-  s.pass(size);
+  is_cbor ? s.pass_binary(size) : s.pass(size);
   return true;
 }
+
+void DocumentStream::release() { state_->release(); }
 
 std::string_view DocumentStream::all_if(std::string_view start) {
   State& s = *state_;
@@ -210,13 +241,17 @@ std::string_view DocumentStream::all_if(std::string_view start) {
 
 std::string_view DocumentStream::head_unless_object(std::size_t most) {
   State& s = *state_;
-  if (!s.find_start() || s.buffer.get()[s.begin] == '{') return {};
+  constexpr unsigned map = 5;  // of CBOR
+  if (!s.find_start()) return {};
+  const char first = s.buffer.get()[s.begin];
+  if (first == '{' || static_cast<unsigned char>(first) >> 5 == map) return {};
   while (s.end - s.begin < most && s.fill()) continue;
   return std::string_view(s.buffer.get() + s.begin, s.end - s.begin).substr(0, most);
 }
 
 long DocumentStream::frame() const { return state_->frame; }
 long DocumentStream::first_line() const { return state_->first_line; }
-const std::string& DocumentStream::name() const { return state_->name; }
+std::int64_t DocumentStream::first_byte() const { return state_->first_byte; }
+const std::string& DocumentStream::name() const { return state_->source.name(); }
 
 }  // namespace pliant

@@ -1,6 +1,7 @@
 // formats/document/document_stream.h: the documents of a stream, one at a time.
 #pragma once
 #include <cstddef>
+#include <cstdint>
 #include <cstdio>
 #include <memory>
 #include <string>
@@ -8,15 +9,18 @@
 
 namespace pliant {
 
-/// The documents of a stream, one at a time with memory for one: JSON Lines, or a single document over many lines.
+/// The documents of a stream, one at a time with memory for one: JSON Lines, a single document over many lines, or a
+/// sequence of CBOR items (RFC 8742). What gzip or zstd compressed is decompressed.
 class DocumentStream {
  public:
   /// Takes over the stream (not closed). `name` is for messages: the file, or "standard input".
   DocumentStream(std::FILE* stream, std::string name);
   ~DocumentStream();
   /// The text of the next document, valid until the next call; false at the end. Blank lines are skipped.
-  /// Throws      std::system_error when reading fails
+  /// Throws      std::system_error when reading fails; InputError for compressed bytes that are damaged
   bool next(std::string_view& document);
+  /// Frees the memory of the document last returned, which is gone then.
+  void release();
   /// All of a stream that starts with these bytes, valid as long as this object; empty, and nothing is passed, if it
   /// starts with others. Only before the first `next`. A regular file is mapped, not copied.
   /// Throws      std::system_error when reading fails
@@ -26,6 +30,7 @@ class DocumentStream {
   std::string_view head_unless_object(std::size_t most);
   long frame() const;       ///< number of the document last returned, from 0
   long first_line() const;  ///< line on which it starts, from 1
+  std::int64_t first_byte() const;  ///< at which it starts, from 0
   const std::string& name() const;
 
  private:

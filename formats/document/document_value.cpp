@@ -2,11 +2,14 @@
 #include "formats/document/document_value.h"
 
 #include <cmath>
+#include <limits>
 #include <nlohmann/json.hpp>
+#include <type_traits>
 #include <utility>
+#include <vector>
 
 #include "formats/document/mesh_document.h"
-#include "formats/document/read_json.h"
+#include "formats/document/document_reader.h"
 #include "formats/document/write_json.h"
 
 namespace pliant {
@@ -20,9 +23,9 @@ class DocumentValue {
 namespace {
 
 /// Any value; the reader limits how deep it is nested, and refuses names that come twice.
-Json read_any(JsonReader& in) {
-  switch (in.peek()) {
-    case '{': {
+Json read_any(DocumentReader& in) {
+  switch (in.kind()) {
+    case DocumentReader::Kind::object: {
       Json object = Json::object();
       auto& members = object.get_ref<Json::object_t&>();
       in.object([&](std::string_view name) {
@@ -33,18 +36,19 @@ Json read_any(JsonReader& in) {
       });
       return object;
     }
-    case '[': {
+    case DocumentReader::Kind::array: {
       Json array = Json::array();
       in.array([&] { array.push_back(read_any(in)); });
       return array;
     }
-    case '"':
+    case DocumentReader::Kind::string:
       return in.string();
-    case 't':
-    case 'f':
+    case DocumentReader::Kind::boolean:
       return in.boolean();
-    default:
+    case DocumentReader::Kind::null:
       if (in.null()) return nullptr;
+      [[fallthrough]];
+    default:
       return std::visit([](const auto number) { return Json(number); }, in.any_number());
   }
 }
@@ -57,14 +61,37 @@ std::shared_ptr<const DocumentValue> to_document(Json value) {
 
 const Json& to_json(const DocumentValue& value) { return value.json; }
 
-std::shared_ptr<const DocumentValue> JsonReader::value() { return to_document(read_any(*this)); }
+std::shared_ptr<const DocumentValue> DocumentReader::value() { return to_document(read_any(*this)); }
 
-void write_members(JsonWriter& out, const Json& object) {
+namespace {
+
+/// All elements as numbers of one type, if the array is long and they are: doubles, or integers of 32 bits.
+template <class Number>
+std::vector<Number> numbers_of(const Json& array) {
+  constexpr std::size_t is_long = 16;
+  std::vector<Number> numbers;
+  if (array.size() < is_long) return numbers;
+  for (const Json& element : array) {
+    if constexpr (std::is_same_v<Number, double>) {
+      if (!element.is_number_float()) return {};
+    } else {
+      if (!element.is_number_integer() || element < std::numeric_limits<Number>::min() ||
+          element > std::numeric_limits<Number>::max())
+        return {};
+    }
+    numbers.push_back(element.get<Number>());
+  }
+  return numbers;
+}
+
+}  // namespace
+
+void write_members(DocumentWriter& out, const Json& object) {
   for (const auto& [name, member] : object.get_ref<const Json::object_t&>()) write_json(out.name(name), member);
 }
 
 // Recursion as deep as the value is nested, which the reader limits.
-void write_json(JsonWriter& out, const Json& value) {
+void write_json(DocumentWriter& out, const Json& value) {
   switch (value.type()) {
     case Json::value_t::object:
       out.begin_object();
@@ -72,9 +99,15 @@ void write_json(JsonWriter& out, const Json& value) {
       out.end_object();
       break;
     case Json::value_t::array:
-      out.begin_array();
-      for (const Json& element : value) write_json(out, element);
-      out.end_array();
+      if (const auto doubles = numbers_of<double>(value); !doubles.empty()) {
+        out.numbers(doubles);
+      } else if (const auto integers = numbers_of<std::int32_t>(value); !integers.empty()) {
+        out.integers(integers);
+      } else {
+        out.begin_array();
+        for (const Json& element : value) write_json(out, element);
+        out.end_array();
+      }
       break;
     case Json::value_t::string:
       out.value(value.get_ref<const std::string&>());
@@ -86,7 +119,7 @@ void write_json(JsonWriter& out, const Json& value) {
       out.value(value.get<std::int64_t>());
       break;
     case Json::value_t::number_unsigned:
-      out.raw(std::to_string(value.get<std::uint64_t>()));
+      out.value(value.get<std::uint64_t>());
       break;
     case Json::value_t::number_float:
       out.value(value.get<double>());
@@ -96,7 +129,7 @@ void write_json(JsonWriter& out, const Json& value) {
   }
 }
 
-JsonWriter& JsonWriter::value(const DocumentValue& value) { return write_json(*this, value.json), *this; }
+DocumentWriter& DocumentWriter::value(const DocumentValue& value) { return write_json(*this, value.json), *this; }
 
 void append_json(std::string& out, const Json& value) {
   JsonWriter writer(out);
@@ -104,9 +137,9 @@ void append_json(std::string& out, const Json& value) {
 }
 
 std::shared_ptr<const DocumentValue> read_value(std::string_view json) {
-  JsonReader in(json);
-  auto value = in.value();
-  in.finish();
+  const auto in = reader_of(json);
+  auto value = in->value();
+  in->finish();
   return value;
 }
 

@@ -7,7 +7,7 @@
 #include "pliant/boundary/extra_members.h"
 
 namespace pliant {
-class JsonWriter;
+class DocumentWriter;
 
 /// A JSON value whose objects keep the order of their members. Whoever makes or reads one includes <nlohmann/json.hpp>.
 using Json = nlohmann::ordered_json;
@@ -21,9 +21,9 @@ const Json& to_json(const DocumentValue& value);
 ///
 /// Throws      std::domain_error where a number is not finite
 void append_json(std::string& out, const Json& value);
-void write_json(JsonWriter& out, const Json& value);
+void write_json(DocumentWriter& out, const Json& value);
 /// Writes the members of an object into the object that the writer is in.
-void write_members(JsonWriter& out, const Json& object);
+void write_members(DocumentWriter& out, const Json& object);
 
 /// The number, or null where it is not finite.
 Json finite_or_null(double value);

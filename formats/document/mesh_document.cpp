@@ -1,23 +1,28 @@
 // formats/document/mesh_document.cpp: the mesh document, formats/mesh.md.
 #include "formats/document/mesh_document.h"
 
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
 #include <string>
 
 #include "formats/document/boundary_document.h"
 #include "formats/document/presence.h"
+#include "formats/document/write_cbor.h"
+#include "formats/document/write_json.h"
 #include "pliant/geometry/net_layout.h"
 #include "pliant/mesh/check_mesh.h"
 
 namespace pliant {
 namespace {
 
-double read_positive(JsonReader& in) {
+double read_positive(DocumentReader& in) {
   const double value = in.number();
   if (!(value > 0)) in.fail("should be above zero");
   return value;
 }
 
-ConstrainedEdge read_constrained_edge(JsonReader& in) {
+ConstrainedEdge read_constrained_edge(DocumentReader& in) {
   ConstrainedEdge edge;
   Presence seen(in);
   in.object([&](std::string_view name) {
@@ -35,7 +40,7 @@ ConstrainedEdge read_constrained_edge(JsonReader& in) {
   return edge;
 }
 
-Field read_field(JsonReader& in) {
+Field read_field(DocumentReader& in) {
   Field field;
   Presence seen(in);
   in.object(field.extra, [&](std::string_view name) {
@@ -65,7 +70,7 @@ Field read_field(JsonReader& in) {
   return field;
 }
 
-Criteria read_criteria(JsonReader& in) {
+Criteria read_criteria(DocumentReader& in) {
   Criteria criteria;
   Presence seen(in);
   in.object(criteria.extra, [&](std::string_view name) {
@@ -105,7 +110,7 @@ Criteria read_criteria(JsonReader& in) {
   return criteria;
 }
 
-MeshData read_mesh_object(JsonReader& in) {
+MeshData read_mesh_object(DocumentReader& in) {
   MeshData data;
   Presence seen(in);
   in.object(data.extra, [&](std::string_view name) {
@@ -145,21 +150,15 @@ MeshData read_mesh_object(JsonReader& in) {
   return data;
 }
 
-void write_field(JsonWriter& out, const Field& field) {
+void write_field(DocumentWriter& out, const Field& field) {
   out.begin_object().name("name").value(field.name).name("components").value(field.components);
-  out.name("by_face").value(field.by_face).name("values").begin_array();
-  for (const double value : field.values) out.value(value);
-  out.end_array();
-  if (field.by_face) {
-    out.name("places").begin_array();
-    for (const auto& [point, face] : field.places) out.value(point).value(face);
-    out.end_array();
-  }
+  out.name("by_face").value(field.by_face).name("values").numbers(field.values);
+  if (field.by_face) out.name("places").pairs(field.places);
   out.members(field.extra);
   out.end_object();
 }
 
-void write_criteria(JsonWriter& out, const Criteria& criteria) {
+void write_criteria(DocumentWriter& out, const Criteria& criteria) {
   out.begin_object();
   if (criteria.min_angle) out.name("min_angle").value(*criteria.min_angle);
   if (criteria.max_area) out.name("max_area").value(*criteria.max_area);
@@ -178,43 +177,77 @@ void write_criteria(JsonWriter& out, const Criteria& criteria) {
   out.end_object();
 }
 
+/// Throws where a number of the mesh is not finite: before anything of it is written.
+void require_finite(const MeshData& mesh) {
+  const auto check = [](bool all_finite) {
+    if (!all_finite) throw std::domain_error("a number of the result is not finite");
+  };
+  const auto are_finite = [](const std::vector<double>& values) {
+    return std::ranges::all_of(values, [](double value) { return std::isfinite(value); });
+  };
+  check(std::isfinite(mesh.time));
+  check(std::ranges::all_of(mesh.points, [](const Point& p) { return std::isfinite(p.x) && std::isfinite(p.y); }));
+  for (const Field& field : mesh.fields) check(are_finite(field.values));
+  // The rest is small, and is tried out.
+  std::string unused;
+  CborWriter writer(unused);
+  write_boundary_object(writer, mesh.boundary, false);
+  write_criteria(writer, mesh.criteria);
+}
+
+void write_mesh_object(DocumentWriter& out, const MeshData& mesh) {
+  out.begin_object().name("format").value("pliant-mesh").name("version").value(1);
+  out.name("degree").value(mesh.degree).name("time").value(mesh.time);
+  out.name("points").points(mesh.points);
+  out.name("triangles").integers(mesh.triangles);
+  out.name("triangle_faces").integers(mesh.triangle_faces);
+  out.name("constrained_edges").begin_array();
+  for (const ConstrainedEdge& edge : mesh.constrained_edges) {
+    out.begin_object().name("curve").value(edge.curve).name("span").value(edge.span);
+    out.name("points").integers(edge.points).end_object();
+  }
+  out.end_array().name("fields").begin_array();
+  for (const Field& field : mesh.fields) write_field(out, field);
+  out.end_array().name("boundary");
+  write_boundary_object(out, mesh.boundary, false);
+  out.name("criteria");
+  write_criteria(out, mesh.criteria);
+  out.members(mesh.extra);
+  out.end_object().end();
+}
+
 }  // namespace
 
-MeshData read_mesh(std::string_view json, std::vector<Doubt>* doubts) {
-  JsonReader in(json);
-  MeshData data = read_mesh_object(in);
-  in.finish();
-  if (doubts != nullptr) *doubts = in.doubts();
+MeshData read_mesh(std::string_view document, ReaderNotes* notes) {
+  const auto in = reader_of(document);
+  MeshData data = read_mesh_object(*in);
+  in->finish();
+  if (notes != nullptr) *notes = {in->doubts(), in->number_arrays()};
   const std::vector<Fault> faults = check_arrays(data);
   if (!faults.empty()) throw InputError(faults.front().place, faults.front().text);
   return data;
 }
 
-void write_mesh(const MeshData& mesh, std::string& out) {
-  JsonWriter writer(out);
-  writer.begin_object().name("format").value("pliant-mesh").name("version").value(1);
-  writer.name("degree").value(mesh.degree).name("time").value(mesh.time);
-  writer.name("points").begin_array();
-  for (const Point& p : mesh.points) writer.value(p.x).value(p.y);
-  writer.end_array().name("triangles").begin_array();
-  for (const PointId p : mesh.triangles) writer.value(p);
-  writer.end_array().name("triangle_faces").begin_array();
-  for (const FaceId f : mesh.triangle_faces) writer.value(f);
-  writer.end_array().name("constrained_edges").begin_array();
-  for (const ConstrainedEdge& edge : mesh.constrained_edges) {
-    writer.begin_object().name("curve").value(edge.curve).name("span").value(edge.span).name("points").begin_array();
-    for (const PointId p : edge.points) writer.value(p);
-    writer.end_array().end_object();
+void write_mesh(const MeshData& mesh, std::string& out, DocumentForm form) {
+  if (form == DocumentForm::cbor) {
+    CborWriter writer(out);
+    write_mesh_object(writer, mesh);
+  } else {
+    JsonWriter writer(out);
+    write_mesh_object(writer, mesh);
   }
-  writer.end_array().name("fields").begin_array();
-  for (const Field& field : mesh.fields) write_field(writer, field);
-  writer.end_array().name("boundary");
-  write_boundary_object(writer, mesh.boundary, false);
-  writer.name("criteria");
-  write_criteria(writer, mesh.criteria);
-  writer.members(mesh.extra);
-  writer.end_object();
-  out += '\n';
+}
+
+void write_mesh(const MeshData& mesh, DocumentForm form, const DocumentSink& sink) {
+  require_finite(mesh);
+  std::string pieces;
+  if (form == DocumentForm::cbor) {
+    CborWriter writer(pieces, &sink);
+    write_mesh_object(writer, mesh);
+  } else {
+    JsonWriter writer(pieces, &sink);
+    write_mesh_object(writer, mesh);
+  }
 }
 
 }  // namespace pliant

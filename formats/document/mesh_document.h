@@ -1,9 +1,10 @@
-// formats/document/mesh_document.h: the mesh and boundary documents, as JSON and JSON Lines (formats/mesh.md).
+// formats/document/mesh_document.h: the mesh and boundary documents, as JSON and as CBOR, one or a series (formats/mesh.md).
 #pragma once
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "formats/document/document_form.h"
 #include "formats/document/document_place.h"
 #include "pliant/boundary/boundary_complex.h"
 #include "pliant/boundary/fault.h"
@@ -11,16 +12,25 @@
 
 namespace pliant {
 
-/// Reads one mesh document. Checks the grammar of all of it, the types, that numbers are finite, and check_arrays.
-/// Throws      InputError with a JSON pointer (or line and column of the text where it is no JSON)
-/// Ensures     `doubts` holds the unknown members that look like missing ones, each kind once, few kinds
-MeshData read_mesh(std::string_view json, std::vector<Doubt>* doubts = nullptr);
-BoundaryComplex read_boundary(std::string_view json, std::vector<Doubt>* doubts = nullptr);
+/// What a reader noted beside the document.
+struct ReaderNotes {
+  std::vector<Doubt> doubts;        ///< unknown members that look like missing ones, each kind once, few kinds
+  std::vector<NumberArray> arrays;  ///< for a DocumentOutline
+};
 
-/// Appends the document, one line with its newline, numbers in shortest round-trip form. Byte-exact: what was written
-/// and is read and written again is the same.
-void write_mesh(const MeshData& mesh, std::string& out);
-void write_boundary(const BoundaryComplex& boundary, std::string& out);
+/// Reads one mesh document, in JSON or CBOR. Checks the grammar of all of it, the types, that numbers are finite, and
+/// check_arrays.
+/// Throws      InputError with a JSON pointer (a DocumentError with its place where the document is no JSON or CBOR)
+MeshData read_mesh(std::string_view document, ReaderNotes* notes = nullptr);
+BoundaryComplex read_boundary(std::string_view document, ReaderNotes* notes = nullptr);
+
+/// Appends the document; in JSON one line with its newline, numbers in shortest round-trip form. Byte-exact: what was
+/// written and is read and written again is the same, also by way of the other form.
+void write_mesh(const MeshData& mesh, std::string& out, DocumentForm form = DocumentForm::json);
+void write_boundary(const BoundaryComplex& boundary, std::string& out, DocumentForm form = DocumentForm::json);
+/// The same in pieces, none much larger than an array of the mesh; the sink is called only if all numbers are finite.
+/// Throws      std::domain_error otherwise
+void write_mesh(const MeshData& mesh, DocumentForm form, const DocumentSink& sink);
 
 /// A value for an unknown member from its JSON, and the JSON of such a value.
 /// Throws      InputError as `read_mesh` does

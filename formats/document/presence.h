@@ -5,14 +5,14 @@
 #include <string_view>
 #include <vector>
 
-#include "formats/document/read_json.h"
+#include "formats/document/document_reader.h"
 
 namespace pliant {
 
 /// Which members of an object were there.
 class Presence {
  public:
-  explicit Presence(JsonReader& in) : in_(in) {}
+  explicit Presence(DocumentReader& in) : in_(in) {}
   /// True, noted, if `name` is `member`.
   bool is(std::string_view name, const char* member) {
     if (name != member) return false;
@@ -34,7 +34,7 @@ class Presence {
   /// The one of `members` that is missing and that `name` misspells; empty if there is none.
   std::string_view meant_by(std::string_view name, std::initializer_list<const char*> members) const;
 
-  JsonReader& in_;
+  DocumentReader& in_;
   std::vector<std::string_view> seen_;
 };
 

@@ -10,55 +10,14 @@ namespace {
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 unsigned byte_of(char c) { return static_cast<unsigned char>(c); }
 
-/// The pointer's text of a member name (RFC 6901).
-void append_escaped(std::string& pointer, std::string_view name) {
-  for (const char c : name) {
-    if (c == '~')
-      pointer += "~0";
-    else if (c == '/')
-      pointer += "~1";
-    else
-      pointer += c;
-  }
-}
-
 }  // namespace
 
 // -- faults
 
-std::string JsonReader::pointer() const {
-  std::string pointer;
-  for (const Step& step : path_) {
-    pointer += '/';
-    if (step.index < 0)
-      append_escaped(pointer, step.name);
-    else
-      pointer += std::to_string(step.index);
-  }
-  return pointer;
-}
-
-void JsonReader::fail(const std::string& text, const std::string& below) const {
-  const std::string pointer = this->pointer() + below;
+DocumentPlace JsonReader::place_of(const std::string& pointer) const {
   // What comes behind the value's first byte has not been checked, and need not be JSON.
   const std::size_t known = static_cast<std::size_t>(std::min(at_ + 1, end_) - begin_);
-  const DocumentPlace place = find_place({begin_, known}, pointer);
-  throw DocumentError(pointer, text, place);
-}
-
-void JsonReader::doubt(std::string_view member, const std::string& text) {
-  constexpr std::size_t most = 20;
-  std::string place;
-  append_escaped(place, member);
-  for (char& c : place)
-    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F) c = '?';  // a terminal would act on it
-  const auto is_same = [&](const Doubt& old) { return old.text == text && old.pointer.ends_with("/" + place); };
-  if (const auto old = std::find_if(doubts_.begin(), doubts_.end(), is_same); old != doubts_.end())
-    ++old->more;
-  else if (doubts_.size() < most)
-    doubts_.push_back({pointer() + "/" + place, text, 0});
-  else
-    ++doubts_.back().more;
+  return find_place({begin_, known}, pointer);
 }
 
 void JsonReader::fail_at(const char* where, const std::string& text) const {
@@ -91,26 +50,27 @@ void JsonReader::open(char bracket, const char* what) {
 
 void JsonReader::missing_comma(char close) const { syntax(std::string("expected ',' or '") + close + "', " + found()); }
 
-bool JsonReader::Names::add(std::string_view name) {
-  constexpr std::size_t linear = 16;  // above, a hostile object would cost the square of its size
-  if (few.size() < linear) {
-    if (std::find(few.begin(), few.end(), name) != few.end()) return false;
-    if (few.empty()) few.reserve(8);
-    few.push_back(name);
-    if (few.size() == linear) many.insert(few.begin(), few.end());
-    return true;
-  }
-  return many.insert(name).second;
-}
+void JsonReader::open_object(Container&) { open('{', "an object"); }
 
-std::string_view JsonReader::member_name(Names& names) {
+bool JsonReader::next_member(Container& object, Names& names, std::string_view& name) {
+  const bool is_there = next_value('}', object.is_first);
+  object.is_first = false;
+  if (!is_there) return false;
   if (peek() != '"' || at_ == end_) syntax("expected a member's name in quotes, " + found());
-  const std::string_view name = text();
+  name = text();
   if (!names.add(name)) syntax("has the member \"" + std::string(name) + "\" twice");
   if (peek() != ':' || at_ == end_) syntax("expected ':', " + found());
   ++at_;
   skip_space();
-  return name;
+  return true;
+}
+
+void JsonReader::open_array(Container&) { open('[', "an array"); }
+
+bool JsonReader::next_element(Container& array) {
+  const bool is_there = next_value(']', array.is_first);
+  array.is_first = false;
+  return is_there;
 }
 
 void JsonReader::finish() {
@@ -118,6 +78,24 @@ void JsonReader::finish() {
 }
 
 // -- scalars
+
+DocumentReader::Kind JsonReader::kind() {
+  switch (const char c = peek()) {
+    case '{':
+      return Kind::object;
+    case '[':
+      return Kind::array;
+    case '"':
+      return Kind::string;
+    case 't':
+    case 'f':
+      return Kind::boolean;
+    case 'n':
+      return Kind::null;
+    default:
+      return c == '-' || is_digit(c) ? Kind::number : Kind::nothing;
+  }
+}
 
 void JsonReader::skip_word(const char* word) {
   const std::size_t size = std::strlen(word);

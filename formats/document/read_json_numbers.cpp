@@ -178,14 +178,19 @@ std::variant<double, std::int64_t, std::uint64_t> JsonReader::any_number() {
 
 template <class Store>
 void JsonReader::bulk(const char* what, Store store) {
+  peek();
+  const char* const start = at_;
   open('[', what);
   path_.push_back({{}, 0});
-  for (bool first = true; next_element(']', first); first = false) {
+  for (bool first = true; next_value(']', first); first = false) {
     if (skip_space(); at_ == end_) syntax("should be a number, " + found());
     store();
     ++path_.back().index;
   }
   path_.pop_back();
+  constexpr std::ptrdiff_t is_long = 256;
+  if (at_ - start >= is_long)
+    arrays_.push_back({static_cast<std::size_t>(start - begin_), static_cast<std::size_t>(at_ - begin_)});
 }
 
 void JsonReader::numbers(std::vector<double>& out) {

@@ -2,6 +2,7 @@
 #include <charconv>
 
 #include "formats/document/read_json.h"
+#include "formats/document/utf8.h"
 
 namespace pliant {
 namespace {
@@ -30,19 +31,6 @@ void append_utf8(std::string& out, unsigned code) {
 }  // namespace
 
 // -- strings
-
-const char* JsonReader::skip_utf8(const char* p) const {
-  const unsigned lead = byte_of(*p);
-  const int more = lead >= 0xF0 ? 3 : lead >= 0xE0 ? 2 : 1;
-  bool right = lead >= 0xC2 && lead <= 0xF4 && end_ - p > more;
-  for (int i = 1; right && i <= more; ++i) right = (byte_of(p[i]) & 0xC0) == 0x80;
-  if (right) {
-    const unsigned second = byte_of(p[1]);  // overlong forms, surrogates, beyond U+10FFFF
-    right = !(lead == 0xE0 && second < 0xA0) && !(lead == 0xED && second > 0x9F) && !(lead == 0xF0 && second < 0x90) &&
-            !(lead == 0xF4 && second > 0x8F);
-  }
-  return right ? p + more + 1 : nullptr;
-}
 
 unsigned JsonReader::four_hex() {
   unsigned code = 0;
@@ -88,7 +76,7 @@ std::string_view JsonReader::text() {
       escape(*copy);
       continue;
     }
-    const char* next = c < 0x80 ? at_ + 1 : skip_utf8(at_);
+    const char* next = c < 0x80 ? at_ + 1 : skip_utf8(at_, end_);
     if (next == nullptr) syntax("is not UTF-8");
     if (copy != nullptr) copy->append(at_, next);
     at_ = next;

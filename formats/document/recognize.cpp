@@ -2,57 +2,91 @@
 #include "formats/document/recognize.h"
 
 #include <algorithm>
+#include <iterator>
+
+#include "formats/document/document_form.h"
 
 namespace pliant {
 namespace {
 
-/// What the bytes are, and which tool reads them; "" for what is not known.
+/// What the bytes are, and what to do with them; "" for what is not known.
 struct Kind {
   std::string_view name, advice;
   bool is_document = false;
   std::string_view format = {};
 };
 
-constexpr Kind svg_drawing{"an SVG drawing", "which import-svg reads"};
-constexpr Kind msh_file{"a Gmsh MSH file", "which import-msh reads"};
+constexpr std::string_view of_no_tool = ", which no tool of Pliant reads";
+constexpr Kind svg_drawing{"an SVG drawing", ": import-svg makes a boundary of it, bspline2mesh a mesh of that"};
+constexpr Kind msh_file{"a Gmsh MSH file", ": import-msh makes a mesh of it, and tools that read meshes take it as it is"};
+constexpr Kind vtk_file{"a VTK file", of_no_tool};
+constexpr Kind gltf_file{"a glTF file", ", a picture that export-gltf makes of a mesh; no tool reads it"};
+constexpr Kind quality_report{"a report of qualityreport's", ": give the mesh that it is about"};
+constexpr Kind pass_report{"a report of what a tool did (--report)", ": give the mesh that the tool wrote"};
+constexpr Kind evolve_log{"a log of evolve's", ": give the frames that evolve wrote (-o)"};
 
 Kind recognize_xml(std::string_view head) {
   const auto holds = [head](std::string_view tag) { return head.find(tag) != std::string_view::npos; };
   if (holds("<svg") || holds(":svg")) return svg_drawing;
-  if (holds("<VTKFile")) return {"a VTK file", "which no tool of Pliant reads"};
+  if (holds("<VTKFile")) return vtk_file;
   if (holds("<html") || holds("<!DOCTYPE html") || holds("<!doctype html"))
-    return {"an HTML page", "perhaps of a failed download"};
-  return {"an XML file", "which is no document of Pliant"};
+    return {"an HTML page", ": a report for reading, or what a failed download has left"};
+  return {"an XML file", ", which is no document of Pliant"};
 }
 
-Kind recognize_json(std::string_view head) {
+/// JSON or CBOR: the names of members look the same in both.
+Kind recognize_document(std::string_view head) {
   const auto holds = [head](std::string_view text) { return head.find(text) != std::string_view::npos; };
-  if (holds("\"pliant-mesh\"")) return {"a mesh", "", true, "pliant-mesh"};
-  if (holds("\"pliant-boundary\"")) return {"a boundary", "", true, "pliant-boundary"};
-  if (holds("\"pliant-problem\"")) return {"a problem", "", true, "pliant-problem"};
-  if (holds("\"asset\"") && holds("\"version\"")) return {"a glTF file", "which no tool of Pliant reads"};
-  if (holds("\"FeatureCollection\"") || holds("\"Feature\""))
-    return {"a GeoJSON file", "which no tool of Pliant reads"};
+  for (const std::string_view format : {"pliant-mesh", "pliant-boundary", "pliant-problem"})
+    if (holds(format)) return {"a document", "", true, format};
+  if (holds("asset") && holds("version") && !holds("\"format\"")) return gltf_file;
+  if (holds("\"FeatureCollection\"") || holds("\"Feature\"")) return {"a GeoJSON file", of_no_tool};
+  if (holds("\"tool\":") && holds("\"frame\":")) return pass_report;
+  if (holds("\"step\":") && holds("\"part\":") && holds("\"dt\":")) return evolve_log;
+  if (holds("\"control_points\":") && holds("\"overlaps\":")) return quality_report;
+  if (head.front() != '{') return {"CBOR, but no document of Pliant's", "", true};
   return {"a JSON document", "", true};
+}
+
+/// What is known by its first bytes.
+Kind recognize_magic(std::string_view head) {
+  struct Magic {
+    std::string_view bytes;
+    Kind kind;
+  };
+  constexpr Kind pixels{"a picture of pixels", ", not of curves"};
+  constexpr Kind archive{"a compressed archive", ": unpack it first"};
+  constexpr Kind page{"a PDF file", ": a drawing program can save it as SVG, of which import-svg makes a boundary"};
+  constexpr Kind script{"a PostScript file",
+                        ": a drawing program can save it as SVG, of which import-svg makes a boundary"};
+  constexpr Kind utf16{"a text in UTF-16", ", while UTF-8 is read"};
+  constexpr Kind xz{"a file that xz compressed", ": xz -dc FILE | TOOL reads it (gzip and zstd need no such help)"};
+  constexpr Kind bzip2{"a file that bzip2 compressed",
+                       ": bzip2 -dc FILE | TOOL reads it (gzip and zstd need no such help)"};
+  const Magic magics[] = {{"glTF", gltf_file},      {"\x89PNG", pixels},    {"\xFF\xD8\xFF", pixels},
+                          {"GIF8", pixels},         {"BM", pixels},         {"II*", pixels},
+                          {"%PDF", page},           {"%!PS", script},       {"\xFF\xFE", utf16},
+                          {"\xFE\xFF", utf16},      {"# vtk DataFile", vtk_file},
+                          {"PK\x03\x04", archive},  {"\xFD" "7zXZ", xz},    {"BZh", bzip2}};
+  const auto* const found = std::ranges::find_if(magics, [&](const Magic& each) { return head.starts_with(each.bytes); });
+  return found == std::end(magics) ? Kind{} : found->kind;
 }
 
 Kind recognize(std::string_view bytes) {
   std::string_view head = bytes.substr(0, recognized_by);
-  const auto starts = [&head](std::string_view magic) { return head.substr(0, magic.size()) == magic; };
-  if (starts("\x1F\x8B")) return {"a file that gzip compressed", "gzip -d < FILE | TOOL reads it"};
-  if (starts("glTF")) return {"a binary glTF file", "which no tool of Pliant reads"};
-  if (starts("\x89PNG") || starts("\xFF\xD8\xFF") || starts("GIF8")) return {"a picture of pixels", "not of curves"};
-  if (starts("%PDF")) return {"a PDF file", "which a drawing program can save as SVG"};
-  if (starts("%!PS")) return {"a PostScript file", "which a drawing program can save as SVG"};
-  if (starts("\xFF\xFE") || starts("\xFE\xFF")) return {"a text in UTF-16", "while UTF-8 is read"};
-  if (starts("# vtk DataFile")) return {"a VTK file", "which no tool of Pliant reads"};
+  const auto starts = [&head](std::string_view magic) { return head.starts_with(magic); };
+  if (const Kind kind = recognize_magic(head); !kind.name.empty()) return kind;
+  if (form_of(head) == DocumentForm::cbor) return recognize_document(head);
   if (starts("\xEF\xBB\xBF")) head.remove_prefix(3);
   const std::size_t first = head.find_first_not_of(" \t\r\n");
   if (first == std::string_view::npos) return {};
   head.remove_prefix(first);
   if (head.find("$MeshFormat") != std::string_view::npos || starts("$NOD") || starts("$Comments")) return msh_file;
+  if (starts("# evolve")) return {"the note that evolve keeps beside its frames", ": give the frames (-o)"};
+  if (starts("solid ")) return {"an STL file", of_no_tool};
+  if (starts("frame,") || starts("time,")) return {"a table (CSV)", ": give the mesh that it is about"};
   if (head.front() == '<') return recognize_xml(head);
-  if (head.front() == '{') return recognize_json(head);
+  if (head.front() == '{') return recognize_document(head);
   return {};
 }
 
@@ -75,9 +109,7 @@ std::string describe_other_kind(std::string_view bytes, FileKind wanted) {
     return {};
   if (kind.is_document && wants_document) return {};  // its reader says more
   if (!kind.format.empty()) return describe_other_format(kind.format);
-  std::string text = "this is " + std::string(kind.name);
-  if (!kind.advice.empty()) text += ", " + std::string(kind.advice);
-  return text;
+  return "this is " + std::string(kind.name) + std::string(kind.advice);
 }
 
 std::string nearest_word(std::string_view word, const std::vector<std::string>& candidates) {

@@ -1,6 +1,7 @@
 // formats/document/write_json.cpp: numbers and strings as JSON.
 #include "formats/document/write_json.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <stdexcept>
@@ -45,6 +46,41 @@ void append_string(std::string& out, std::string_view text) {
     }
   }
   out += '"';
+}
+
+template <class Append>
+JsonWriter& JsonWriter::list(std::size_t count, Append append) {
+  open('[');
+  constexpr std::size_t block = 1024;
+  for (std::size_t first = 0; first < count; first += block) {
+    for (std::size_t k = first; k < std::min(count, first + block); ++k) {
+      if (k > 0) out_ += ',';
+      append(k);
+    }
+    relieve();
+  }
+  return close(']');
+}
+
+JsonWriter& JsonWriter::numbers(std::span<const double> values) {
+  return list(values.size(), [&](std::size_t k) { append_number(out_, values[k]); });
+}
+
+JsonWriter& JsonWriter::integers(std::span<const std::int32_t> values) {
+  return list(values.size(), [&](std::size_t k) { append_integer(out_, values[k]); });
+}
+
+JsonWriter& JsonWriter::points(std::span<const Point> points) {
+  return list(points.size(), [&](std::size_t k) {
+    append_number(out_, points[k].x);
+    out_ += ',';
+    append_number(out_, points[k].y);
+  });
+}
+
+void JsonWriter::end() {
+  out_ += '\n';
+  if (sink_ != nullptr) flush();
 }
 
 }  // namespace pliant

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "pliant/boundary/extra_members.h"
+#include "formats/document/document_writer.h"
 
 namespace pliant {
 
@@ -16,39 +16,40 @@ void append_integer(std::string& out, std::int64_t value);
 void append_string(std::string& out, std::string_view text);
 
 /// Writes objects and arrays with their commas.
-class JsonWriter {
+class JsonWriter final : public DocumentWriter {
  public:
-  explicit JsonWriter(std::string& out) : out_(out) {}
-  JsonWriter& begin_object() { return open('{'); }
-  JsonWriter& end_object() { return close('}'); }
-  JsonWriter& begin_array() { return open('['); }
-  JsonWriter& end_array() { return close(']'); }
-  JsonWriter& name(std::string_view name) {
+  using DocumentWriter::DocumentWriter;
+  using DocumentWriter::value;
+  JsonWriter& begin_object() override { return open('{'); }
+  JsonWriter& end_object() override { return close('}'); }
+  JsonWriter& begin_array() override { return open('['); }
+  JsonWriter& end_array() override { return close(']'); }
+  JsonWriter& name(std::string_view name) override {
     comma();
     append_string(out_, name);
     out_ += ':';
     fresh_ = true;
     return *this;
   }
-  JsonWriter& value(double number) { return comma(), append_number(out_, number), *this; }
-  JsonWriter& value(std::int64_t number) { return comma(), append_integer(out_, number), *this; }
-  JsonWriter& value(int number) { return value(static_cast<std::int64_t>(number)); }
-  JsonWriter& value(bool truth) { return raw(truth ? "true" : "false"); }
-  JsonWriter& value(std::string_view text) { return comma(), append_string(out_, text), *this; }
-  JsonWriter& value(const char* text) { return value(std::string_view(text)); }
-  JsonWriter& value(const DocumentValue& value);
-  JsonWriter& null() { return raw("null"); }
+  JsonWriter& value(double number) override { return comma(), append_number(out_, number), *this; }
+  JsonWriter& value(std::int64_t number) override { return comma(), append_integer(out_, number), *this; }
+  JsonWriter& value(std::uint64_t number) override { return raw(std::to_string(number)); }
+  JsonWriter& value(bool truth) override { return raw(truth ? "true" : "false"); }
+  JsonWriter& value(std::string_view text) override { return comma(), append_string(out_, text), *this; }
+  JsonWriter& null() override { return raw("null"); }
+  JsonWriter& numbers(std::span<const double> values) override;
+  JsonWriter& integers(std::span<const std::int32_t> values) override;
+  JsonWriter& points(std::span<const Point> points) override;
+  void end() override;
   JsonWriter& raw(std::string_view json) {
     comma();
     out_ += json;
     return *this;
   }
-  /// Members that Pliant does not know.
-  void members(const ExtraMembers& extra) {
-    for (const auto& [key, carried] : extra) name(key).value(*carried);
-  }
 
  private:
+  template <class Append>
+  JsonWriter& list(std::size_t count, Append append);
   JsonWriter& open(char bracket) {
     comma();
     out_ += bracket;
@@ -58,13 +59,13 @@ class JsonWriter {
   JsonWriter& close(char bracket) {
     out_ += bracket;
     fresh_ = false;
+    relieve();
     return *this;
   }
   void comma() {
     if (!fresh_) out_ += ',';
     fresh_ = false;
   }
-  std::string& out_;
   bool fresh_ = true;  // no comma before the next value
 };
 

@@ -9,12 +9,12 @@ namespace {
 
 using Kind = ProblemCondition::Kind;
 
-ProblemMaterial read_material(JsonReader& in) {
+ProblemMaterial read_material(DocumentReader& in) {
   ProblemMaterial material;
   in.object([&](std::string_view name) {
     if (name == "diffusivity") {
       material.diffusivity =
-          in.peek() == '[' ? read_expressions(in, 3, "a tensor is [xx, xy, yy]") : std::vector{read_expression(in)};
+          in.kind() == DocumentReader::Kind::array ? read_expressions(in, 3, "a tensor is [xx, xy, yy]") : std::vector{read_expression(in)};
     } else if (name == "capacity") {
       material.capacity = read_expression(in);
     } else if (name == "source") {
@@ -28,7 +28,7 @@ ProblemMaterial read_material(JsonReader& in) {
 }
 
 /// The object of `robin` or `jump`, whose members are all required.
-void read_transfer(JsonReader& in, ProblemCondition& condition) {
+void read_transfer(DocumentReader& in, ProblemCondition& condition) {
   const bool has_ambient = condition.kind == Kind::robin;
   Presence seen(in);
   in.object([&](std::string_view name) {
@@ -46,7 +46,7 @@ void read_transfer(JsonReader& in, ProblemCondition& condition) {
   if (has_ambient) seen.require({"ambient"});
 }
 
-ProblemCondition read_condition(JsonReader& in) {
+ProblemCondition read_condition(DocumentReader& in) {
   ProblemCondition condition;
   ConditionKind kind(in);
   Presence seen(in);
@@ -71,14 +71,14 @@ ProblemCondition read_condition(JsonReader& in) {
   return condition;
 }
 
-std::vector<std::pair<std::string, ProblemExpression>> read_initial(JsonReader& in) {
-  if (in.peek() == '{') return read_by_name(in, read_expression);
+std::vector<std::pair<std::string, ProblemExpression>> read_initial(DocumentReader& in) {
+  if (in.kind() == DocumentReader::Kind::object) return read_by_name(in, read_expression);
   return {{"*", read_expression(in)}};
 }
 
 // -- writing
 
-void write_condition(JsonWriter& out, const ProblemCondition& condition) {
+void write_condition(DocumentWriter& out, const ProblemCondition& condition) {
   out.begin_object().name("curve");
   write_curves(out, condition.curves);
   const bool has_object = condition.kind == Kind::robin || condition.kind == Kind::jump;
@@ -90,7 +90,7 @@ void write_condition(JsonWriter& out, const ProblemCondition& condition) {
   out.end_object();
 }
 
-void write_material(JsonWriter& out, const ProblemMaterial& material) {
+void write_material(DocumentWriter& out, const ProblemMaterial& material) {
   out.begin_object();
   if (!material.diffusivity.empty()) write_expressions(out.name("diffusivity"), material.diffusivity);
   if (material.capacity) write_expression(out.name("capacity"), *material.capacity);
@@ -113,7 +113,7 @@ const char* condition_name(ProblemCondition::Kind kind) {
   }
 }
 
-DiffuseSection read_diffuse(JsonReader& in) {
+DiffuseSection read_diffuse(DocumentReader& in) {
   DiffuseSection section;
   Presence seen(in);
   in.object([&](std::string_view name) {
@@ -137,7 +137,7 @@ DiffuseSection read_diffuse(JsonReader& in) {
   return section;
 }
 
-void write_diffuse(JsonWriter& out, const DiffuseSection& section) {
+void write_diffuse(DocumentWriter& out, const DiffuseSection& section) {
   out.begin_object().name("field").value(section.field);
   write_by_name(out.name("materials"), section.materials, write_material);
   out.name("conditions").begin_array();

@@ -17,7 +17,7 @@ constexpr std::array kinds{Kind::velocity, Kind::slip, Kind::traction, Kind::out
 
 bool has_components(Kind kind) { return kind == Kind::velocity || kind == Kind::traction; }
 
-NavierStokesMaterial read_material(JsonReader& in) {
+NavierStokesMaterial read_material(DocumentReader& in) {
   NavierStokesMaterial material;
   Presence seen(in);
   in.object([&](std::string_view name) {
@@ -33,14 +33,13 @@ NavierStokesMaterial read_material(JsonReader& in) {
   return material;
 }
 
-bool read_flag(JsonReader& in) {
-  const char c = in.peek();
-  if (c != 't' && c != 'f') in.fail("should be true or false");
+bool read_flag(DocumentReader& in) {
+  if (in.kind() != DocumentReader::Kind::boolean) in.fail("should be true or false");
   return in.boolean();
 }
 
 /// The value of the member that says of which kind a condition is.
-void read_kind(JsonReader& in, NavierStokesCondition& condition) {
+void read_kind(DocumentReader& in, NavierStokesCondition& condition) {
   if (has_components(condition.kind)) {
     condition.components = read_expressions(
         in, 2, condition.kind == Kind::velocity ? "a velocity is [EXPR, EXPR]" : "a traction is [EXPR, EXPR]");
@@ -49,7 +48,7 @@ void read_kind(JsonReader& in, NavierStokesCondition& condition) {
   }
 }
 
-NavierStokesCondition read_condition(JsonReader& in) {
+NavierStokesCondition read_condition(DocumentReader& in) {
   NavierStokesCondition condition;
   ConditionKind kind(in);
   Presence seen(in);
@@ -73,7 +72,7 @@ NavierStokesCondition read_condition(JsonReader& in) {
   return condition;
 }
 
-std::vector<std::pair<std::string, ProblemExpression>> read_surface_tension(JsonReader& in) {
+std::vector<std::pair<std::string, ProblemExpression>> read_surface_tension(DocumentReader& in) {
   std::vector<std::pair<std::string, ProblemExpression>> entries;
   in.object([&](std::string_view curve) {
     if (curve == "*") in.fail("is no curve: each curve with surface tension is named");
@@ -83,21 +82,21 @@ std::vector<std::pair<std::string, ProblemExpression>> read_surface_tension(Json
   return entries;
 }
 
-Pressure read_pressure(JsonReader& in) {
-  const std::string text = in.peek() == '"' ? in.string() : "";
+Pressure read_pressure(DocumentReader& in) {
+  const std::string text = in.kind() == DocumentReader::Kind::string ? in.string() : "";
   for (const Pressure each : {Pressure::by_face, Pressure::continuous})
     if (text == pressure_name(each)) return each;
   in.fail(R"(should be "by-face" or "continuous")");
 }
 
-void write_material(JsonWriter& out, const NavierStokesMaterial& material) {
+void write_material(DocumentWriter& out, const NavierStokesMaterial& material) {
   out.begin_object();
   if (material.density) write_expression(out.name("density"), *material.density);
   write_expression(out.name("viscosity"), material.viscosity);
   out.end_object();
 }
 
-void write_condition(JsonWriter& out, const NavierStokesCondition& condition) {
+void write_condition(DocumentWriter& out, const NavierStokesCondition& condition) {
   out.begin_object().name("curve");
   write_curves(out, condition.curves);
   out.name(condition_name(condition.kind));
@@ -128,7 +127,7 @@ const char* condition_name(NavierStokesCondition::Kind kind) {
 
 const char* pressure_name(Pressure pressure) { return pressure == Pressure::by_face ? "by-face" : "continuous"; }
 
-NavierStokesSection read_navier_stokes(JsonReader& in) {
+NavierStokesSection read_navier_stokes(DocumentReader& in) {
   NavierStokesSection section;
   Presence seen(in);
   in.object([&](std::string_view name) {
@@ -155,7 +154,7 @@ NavierStokesSection read_navier_stokes(JsonReader& in) {
   return section;
 }
 
-void write_navier_stokes(JsonWriter& out, const NavierStokesSection& section) {
+void write_navier_stokes(DocumentWriter& out, const NavierStokesSection& section) {
   out.begin_object();
   write_by_name(out.name("materials"), section.materials, write_material);
   out.name("conditions").begin_array();

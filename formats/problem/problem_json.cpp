@@ -4,6 +4,7 @@
 #include "formats/document/boundary_document.h"
 #include "formats/document/mesh_document.h"
 #include "formats/document/presence.h"
+#include "formats/document/write_json.h"
 #include "formats/problem/diffuse_json.h"
 #include "formats/problem/names.h"
 #include "formats/problem/navier_stokes_json.h"
@@ -12,7 +13,7 @@
 namespace pliant {
 namespace {
 
-std::vector<std::pair<std::string, ProblemExpression>> read_parameters(JsonReader& in) {
+std::vector<std::pair<std::string, ProblemExpression>> read_parameters(DocumentReader& in) {
   std::vector<std::pair<std::string, ProblemExpression>> parameters;
   in.object([&](std::string_view name) {
     if (const std::string fault = fault_of_name(name); !fault.empty()) in.fail("cannot be a parameter: " + fault);
@@ -22,7 +23,7 @@ std::vector<std::pair<std::string, ProblemExpression>> read_parameters(JsonReade
   return parameters;
 }
 
-ProblemDocument read_document(JsonReader& in) {
+ProblemDocument read_document(DocumentReader& in) {
   ProblemDocument problem;
   Presence seen(in);
   in.object(problem.extra, [&](std::string_view name) {
@@ -51,9 +52,9 @@ ProblemDocument read_document(JsonReader& in) {
 }  // namespace
 
 ProblemDocument read_problem(std::string_view json) {
-  JsonReader in(json);
-  ProblemDocument problem = read_document(in);
-  in.finish();
+  const auto in = reader_of(json);
+  ProblemDocument problem = read_document(*in);
+  in->finish();
   return problem;
 }
 
@@ -62,10 +63,7 @@ ProblemDocument read_problem(const DocumentValue& value) {
     return read_problem(write_value(value));
   } catch (const DocumentError& e) {
     // Line and column are those of a text that nobody has seen.
-    std::string text = e.what();
-    const std::string column = with_column("", {e.line(), e.column()});
-    if (text.ends_with(column)) text.resize(text.size() - column.size());
-    throw InputError("/problem" + e.pointer(), text);
+    throw InputError("/problem" + e.pointer(), e.text());
   }
 }
 

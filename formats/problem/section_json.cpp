@@ -5,23 +5,23 @@
 
 namespace pliant {
 
-void refuse_member(const JsonReader& in, std::string_view name, const std::vector<std::string>& known) {
+void refuse_member(const DocumentReader& in, std::string_view name, const std::vector<std::string>& known) {
   in.fail("is not known here" + known_names(name, "members", known));
 }
 
-std::string read_name(JsonReader& in) {
-  if (in.peek() != '"') in.fail("should be a name in quotes");
+std::string read_name(DocumentReader& in) {
+  if (in.kind() != DocumentReader::Kind::string) in.fail("should be a name in quotes");
   return in.string();
 }
 
-ProblemExpression read_expression(JsonReader& in) {
-  const char c = in.peek();
-  if (c == '"') return in.string();
-  if (c != '-' && (c < '0' || c > '9')) in.fail("should be a number, or an expression in quotes");
+ProblemExpression read_expression(DocumentReader& in) {
+  const DocumentReader::Kind kind = in.kind();
+  if (kind == DocumentReader::Kind::string) return in.string();
+  if (kind != DocumentReader::Kind::number) in.fail("should be a number, or an expression in quotes");
   return in.number();
 }
 
-std::vector<ProblemExpression> read_expressions(JsonReader& in, std::size_t count, const char* what) {
+std::vector<ProblemExpression> read_expressions(DocumentReader& in, std::size_t count, const char* what) {
   std::vector<ProblemExpression> parts;
   in.array([&] {
     if (parts.size() == count) in.fail(std::string("is one too many: ") + what);
@@ -31,8 +31,8 @@ std::vector<ProblemExpression> read_expressions(JsonReader& in, std::size_t coun
   return parts;
 }
 
-std::vector<std::string> read_curves(JsonReader& in) {
-  if (in.peek() != '[') return {read_name(in)};
+std::vector<std::string> read_curves(DocumentReader& in) {
+  if (in.kind() != DocumentReader::Kind::array) return {read_name(in)};
   std::vector<std::string> names;
   in.array([&] { names.push_back(read_name(in)); });
   if (names.empty()) in.fail("should name a curve");
@@ -52,21 +52,21 @@ void ConditionKind::require(const std::vector<std::string>& members) const {
   in_.fail("says nothing of its curve: " + text + " is wanted");
 }
 
-void write_expression(JsonWriter& out, const ProblemExpression& expression) {
+void write_expression(DocumentWriter& out, const ProblemExpression& expression) {
   if (const double* number = std::get_if<double>(&expression))
     out.value(*number);
   else
     out.value(std::get<std::string>(expression));
 }
 
-void write_expressions(JsonWriter& out, const std::vector<ProblemExpression>& expressions) {
+void write_expressions(DocumentWriter& out, const std::vector<ProblemExpression>& expressions) {
   if (expressions.size() == 1) return write_expression(out, expressions.front());
   out.begin_array();
   for (const ProblemExpression& each : expressions) write_expression(out, each);
   out.end_array();
 }
 
-void write_curves(JsonWriter& out, const std::vector<std::string>& curves) {
+void write_curves(DocumentWriter& out, const std::vector<std::string>& curves) {
   if (curves.size() == 1) {
     out.value(curves.front());
     return;

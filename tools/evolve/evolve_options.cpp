@@ -68,6 +68,7 @@ std::string EvolveOptions::end_options() const {
 void EvolveCommand::add(CLI::App& app) {
   app.add_option("STEP", step_, "the step, a pipe of tools in quotes: 'advect --flow vortex --dt 0.01 | refine'");
   add_common_options(app, options_.tool, false);
+  add_form_option(app, options_.tool);
   app.get_option("--output")->description("write the series to this file, a line a frame");
   app.get_option("--verbose")->description("print a line for each step");
   app.add_option("--step", step_file_, "read the step from this file; then there is no STEP")->type_name("FILE");

@@ -9,7 +9,9 @@
 
 namespace pliant {
 
-bool begins_as_frame(std::string_view text) { return text.starts_with("{\"format\":\"pliant-mesh\","); }
+bool begins_as_frame(std::string_view text) {
+  return text.starts_with("{\"format\":\"pliant-mesh\",") || text.starts_with("\xBF\x66\x66ormat\x6Bpliant-mesh");
+}
 
 void refuse_frame(const EarlierFrames& frames, long k, const std::string& fault) {
   throw Placed(status::bad_input, frames.name(k) + ": " + fault +

@@ -50,7 +50,8 @@ class EarlierFrames {
 std::unique_ptr<EarlierFrames> find_series(const std::string& path);
 std::unique_ptr<EarlierFrames> find_numbered(const std::string& pattern);
 
-/// Does a text begin as frames do?
+/// Does a text begin as frames do, in either form? `frame_begin` bytes tell.
+inline constexpr std::size_t frame_begin = 24;
 bool begins_as_frame(std::string_view text);
 /// Ends with bad input, for a frame that evolve has not written, or that something has damaged since.
 [[noreturn]] void refuse_frame(const EarlierFrames& frames, long k, const std::string& fault);

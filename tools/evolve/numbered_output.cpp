@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "evolve/frame_output.h"
+#include "formats/document/document_form.h"
 #include "run/exit_status.h"
 #include "run/output_file.h"
 
@@ -166,7 +167,8 @@ class EarlierFiles : public EarlierFrames {
     if (!std::filesystem::is_regular_file(pattern_.path(k))) refuse_frame(*this, k, "it is no file");
     const auto [begin, end] = read_ends(pattern_.path(k));
     if (!begins_as_frame(begin)) refuse_frame(*this, k, "it does not begin as a mesh document does");
-    if (end != "}\n") refuse_frame(*this, k, "it does not end as a mesh document does");
+    const bool is_whole = form_of(begin) == DocumentForm::cbor ? end.back() == '\xFF' : end == "}\n";
+    if (!is_whole) refuse_frame(*this, k, "it does not end as a mesh document does");
   }
 
   Pattern pattern_;

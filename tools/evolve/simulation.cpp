@@ -186,7 +186,7 @@ class Simulation {
     if (!options_.schedule.even_steps) note_steps(data, evolution_->steps_done());
     restore_unit(data);
     text_.clear();
-    write_mesh(data, text_);
+    write_mesh(data, text_, options_.tool.output_form(start_.form));
     output_->write(text_);
     written_time_ = mesh_->time;
     runs_since_frame_ = 0;

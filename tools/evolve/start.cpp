@@ -29,12 +29,13 @@ void prepare(MeshData& data) {
   in_unit(data.boundary.unit, [&data] { require_mesh(data, false); });
 }
 
-MeshData read_input(const EvolveOptions& options) {
+MeshData read_input(const EvolveOptions& options, DocumentForm& form) {
   std::optional<MeshData> mesh;
-  for_each_mesh(options.tool, [&mesh](MeshData&& data, const Frame&) {
+  for_each_mesh(options.tool, [&](MeshData&& data, const Frame& frame) {
     if (mesh)
       throw InputError("", "evolve begins with one mesh, and the input has several; `tail -n 1` takes the last");
     prepare(data);
+    form = frame.form;
     mesh = std::move(data);
   });
   return std::move(*mesh);
@@ -54,6 +55,8 @@ class Resumption {
     start_.kept = start_.earlier->count();
     start_.first_time = read(0).time;
     load(start_.kept - 1);
+    if (options_.tool.output_form(start_.form) != start_.form)
+      throw UsageError("--to " + options_.tool.to + ": the frames that --resume goes on from have the other form");
     if (!noted)
       say(options_.tool, "there is no " + step_file(options_) +
                              ", which tells the step that made the frames; it is taken to be this one");
@@ -66,6 +69,7 @@ class Resumption {
  private:
   MeshData read(long k) {
     start_.text = start_.earlier->read(k);
+    start_.form = form_of(start_.text);
     try {
       return read_mesh(start_.text);
     } catch (const InputError& error) {
@@ -117,7 +121,7 @@ Start find_start(const EvolveOptions& options, const Step& step) {
     if (earlier) return Resumption(options, step, std::move(earlier)).find();
   }
   Start start;
-  start.mesh = read_input(options);
+  start.mesh = read_input(options, start.form);
   start.first_time = start.mesh.time;
   return start;
 }

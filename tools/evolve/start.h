@@ -6,12 +6,14 @@
 #include "evolve/evolve_options.h"
 #include "evolve/frame_output.h"
 #include "evolve/step.h"
+#include "formats/document/document_form.h"
 #include "pliant/mesh/mesh_data.h"
 
 namespace pliant {
 
 /// The mesh that a simulation begins with, or goes on from, which then is a frame that an earlier run has written.
 struct Start {
+  DocumentForm form = DocumentForm::json;  ///< of the document that it was read from
   MeshData mesh;             ///< checked, in its unit of length
   double first_time = 0;     ///< of the first frame
   bool is_resumed = false;   ///< the mesh is in the output already

@@ -2,8 +2,10 @@
 #include "options/flow_file.h"
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <memory>
+#include <string_view>
 
 #include "pliant/geometry/describe.h"
 #include "pliant/mesh/documents/document_unit.h"
@@ -18,7 +20,9 @@ bool is_flow_file(const std::string& text) {
   const std::string name = text.substr(0, text.find(':'));
   if (std::ranges::find(named_flows(), name, &NamedFlow::name) != named_flows().end()) return false;
   std::error_code ignored;
-  return text.find('/') != std::string::npos || text.ends_with(".json") || text.ends_with(".jsonl") ||
+  const auto ends = [&text](std::string_view end) { return text.ends_with(end); };
+  return text.find('/') != std::string::npos ||
+         std::ranges::any_of(std::array{".json", ".jsonl", ".cbor", ".msh", ".gz", ".zst"}, ends) ||
          std::filesystem::exists(text, ignored);
 }
 

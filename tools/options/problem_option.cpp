@@ -8,7 +8,8 @@
 #include <functional>
 #include <system_error>
 
-#include "formats/document/read_json.h"
+#include "formats/document/byte_source.h"
+#include "formats/document/document_reader.h"
 #include "formats/document/recognize.h"
 #include "formats/problem/names.h"
 #include "formats/problem/problem_json.h"
@@ -28,20 +29,25 @@ std::string read_whole(const std::string& path) {
   constexpr std::size_t most = std::size_t{64} << 20;
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), std::fclose);
   if (!file) throw std::system_error(errno, std::generic_category(), path);
+  ByteSource source(file.get(), path);
   std::string text;
-  while (true) {
+  for (std::size_t got = 1; got > 0;) {
     constexpr std::size_t part = 1 << 16;
     const std::size_t size = text.size();
     text.resize(size + part);
-    const std::size_t got = std::fread(text.data() + size, 1, part, file.get());
+    got = source.read(text.data() + size, part);
     text.resize(size + got);
-    if (std::ferror(file.get()) != 0) throw std::system_error(errno, std::generic_category(), path);
-    if (got < part) return text;
     if (text.size() <= most) continue;
     const std::string other = describe_other_kind(text, FileKind::problem);
     throw Placed(status::bad_input,
                  path + ": is larger than any problem (64 MB)" + (other.empty() ? "" : ": " + other));
   }
+  return text;
+}
+
+/// "problem.json:12: "; CBOR has no lines.
+std::string line_of(const std::string& file, const DocumentPlace& place) {
+  return file + (place.byte >= 0 ? ": " : ":" + std::to_string(place.line) + ": ");
 }
 
 /// Runs `work` on the problem of a file; a fault that it finds gets the file's place.
@@ -54,8 +60,7 @@ void with_file(const std::string& file, std::string_view text, const std::functi
     if (!pointer.starts_with(carried)) throw;
     pointer.erase(0, carried.size());
     const DocumentPlace place = find_place(text, pointer);
-    throw InputError(
-        "", file + ":" + std::to_string(place.line) + ": " + at_pointer(pointer, with_column(e.what(), place)));
+    throw InputError("", line_of(file, place) + at_pointer(pointer, with_offset(e.what(), place)));
   }
 }
 
@@ -97,7 +102,7 @@ void ProblemOption::read_file() {
     if (!other.empty()) throw Placed(status::bad_input, file_ + ": --problem wants a problem document; " + other);
     const std::string hint = e.pointer() == "/format" ? "; --problem wants a problem document" : "";
     throw Placed(status::bad_input,
-                 file_ + ":" + std::to_string(e.line()) + ": " + at_pointer(e.pointer(), e.what()) + hint);
+                 line_of(file_, e.place()) + at_pointer(e.pointer(), e.what()) + hint);
   }
   set_parameters(problem_);
   try {

@@ -9,7 +9,7 @@
 
 #include "formats/document/document_stream.h"
 #include "formats/document/mesh_document.h"
-#include "formats/document/read_json.h"
+#include "formats/document/document_reader.h"
 #include "formats/msh/msh.h"
 #include "pliant/mesh/documents/document_unit.h"
 #include "run/doubts.h"
@@ -23,18 +23,19 @@ std::string in_frame(const Frame& frame, const std::string& text) {
 }
 
 /// Runs `work` on one document and adds the document's place to what it throws.
-void with_place(const Frame& frame, std::string_view document, const std::function<void()>& work) {
+void with_place(const InputDocument& document, const std::function<void()>& work) {
+  const Frame& frame = document.frame();
   try {
     work();
   } catch (const DocumentError& e) {
-    throw Placed(status::bad_input, where(frame, frame.line + e.line() - 1) + at_pointer(e.pointer(), e.what()));
+    throw Placed(status::bad_input, describe_at(frame, e.place(), e.pointer(), e.text()));
   } catch (const BadMesh& e) {
     std::string text;
     for (const Fault& fault : e.faults())
-      text += (text.empty() ? "" : "\n") + describe_fault(frame, document, fault.place, fault.text);
+      text += (text.empty() ? "" : "\n") + describe_fault(document, fault.place, fault.text);
     throw Placed(status::bad_input, text);
   } catch (const InputError& e) {
-    throw Placed(status::bad_input, describe_fault(frame, document, e.pointer(), e.what()));
+    throw Placed(status::bad_input, describe_fault(document, e.pointer(), e.what()));
   } catch (const Placed&) {
     throw;
   } catch (const UsageError&) {
@@ -77,6 +78,11 @@ void use_msh(const ToolOptions& options, const MshOptions& msh, std::string_view
     for (const std::string& text : import.warnings) say(options, frame.source + ": " + text);
     if (options.verbose) say_numbers(options, frame, import.elements);
     use(std::move(import), frame);
+  } catch (const BadMesh& e) {
+    std::string text;
+    for (const Fault& fault : e.faults())
+      text += (text.empty() ? "" : "\n") + frame.source + ": " + at_pointer(fault.place, fault.text);
+    throw Placed(status::bad_input, text);
   } catch (const InputError& e) {
     throw Placed(status::bad_input, frame.source + ": " + at_pointer(e.pointer(), e.what()));
   } catch (const NoResult& e) {
@@ -90,8 +96,7 @@ std::string describe_internal_error(const std::string& text) {
   return "internal error: " + text + "; please report it, with the command and its input";
 }
 
-void for_each_document(const ToolOptions& options, FileKind kind,
-                       const std::function<void(std::string_view text, const Frame&)>& use,
+void for_each_document(const ToolOptions& options, FileKind kind, const std::function<void(InputDocument&)>& use,
                        const std::function<void(std::string_view bytes, const Frame&)>& use_msh_file) {
   std::unique_ptr<std::FILE, Closer> file;
   Frame frame;
@@ -106,17 +111,20 @@ void for_each_document(const ToolOptions& options, FileKind kind,
     const std::string_view bytes = stream.all_if("$");
     if (!bytes.empty()) return use_msh_file(bytes, frame);
   }
-  const std::string head(stream.head_unless_object(recognized_by));
-  std::string_view document;
-  while (stream.next(document)) {
+  std::string head(stream.head_unless_object(recognized_by));
+  std::string_view text;
+  while (stream.next(text)) {
     frame.index = stream.frame();
     frame.line = stream.first_line();
+    frame.byte = stream.first_byte();
+    frame.form = form_of(text);
+    if (head.empty()) head = text.substr(0, recognized_by);
+    InputDocument document(text, frame, [&stream] { stream.release(); });
     try {
-      with_place(frame, document, [&] { use(document, frame); });
+      with_place(document, [&] { use(document); });
     } catch (const Placed& e) {
-      const std::string other = e.status() == status::bad_input && frame.index == 0
-                                    ? describe_other_kind(head.empty() ? document : head, kind)
-                                    : "";
+      const std::string other =
+          e.status() == status::bad_input && frame.index == 0 ? describe_other_kind(head, kind) : "";
       if (other.empty()) throw;
       throw Placed(status::bad_input, frame.source + ": " + other);
     }
@@ -126,38 +134,55 @@ void for_each_document(const ToolOptions& options, FileKind kind,
                  frame.source + ":1: the input is empty" + (options.input == "-" ? "" : "; expected a document"));
 }
 
-void for_each_mesh(const ToolOptions& options, const std::function<void(MeshData&&, const Frame&)>& use) {
+void for_each_mesh(const ToolOptions& options,
+                   const std::function<void(MeshData&&, const Frame&, const std::function<void()>&)>& use) {
   Doubts doubts(options);
-  const auto use_document = [&](std::string_view text, const Frame& frame) {
-    MeshData data = read_mesh(text, doubts.found());
-    doubts.say_new(text, frame);
+  const auto use_document = [&](InputDocument& document) {
+    ReaderNotes notes;
+    MeshData data = read_mesh(document.text(), &notes);
+    doubts.say_new(document, std::move(notes.doubts));
+    document.release_if_exact(notes.arrays);
     require_document_size(data);
-    use(std::move(data), frame);
+    use(std::move(data), document.frame(), [&] { document.release(notes.arrays); });
   };
-  if (!options.takes_msh) return for_each_document(options, FileKind::mesh, use_document);
   for_each_document(options, FileKind::mesh, use_document, [&](std::string_view bytes, const Frame& frame) {
     use_msh(options, {}, bytes, frame, [&](MshImport&& import, const Frame&) {
       require_document_size(import.mesh);
       if (options.verbose)
         for (const std::string& text : import.notes) say(options, frame.source + ": " + text);
-      use(std::move(import.mesh), frame);
+      MeshData mesh = std::move(import.mesh);
+      try {
+        use(std::move(mesh), frame, [] {});
+      } catch (const BadMesh& e) {
+        std::vector<Fault> faults;
+        for (const Fault& fault : e.faults()) faults.push_back(in_msh_words(import, fault));
+        throw BadMesh(std::move(faults));
+      }
     });
+  });
+}
+
+void for_each_mesh(const ToolOptions& options, const std::function<void(MeshData&&, const Frame&)>& use) {
+  for_each_mesh(options, [&use](MeshData&& mesh, const Frame& frame, const std::function<void()>&) {
+    use(std::move(mesh), frame);
   });
 }
 
 void for_msh(const ToolOptions& options, const MshOptions& msh,
              const std::function<void(MshImport&&, const Frame&)>& use) {
   // What is no MSH file goes to its reader all the same, which says so.
-  const auto refuse = [&](std::string_view text, const Frame& frame) { use_msh(options, msh, text, frame, use); };
-  for_each_document(options, FileKind::msh, refuse, refuse);
+  const auto read = [&](std::string_view bytes, const Frame& frame) { use_msh(options, msh, bytes, frame, use); };
+  for_each_document(
+      options, FileKind::msh, [&](const InputDocument& document) { read(document.text(), document.frame()); }, read);
 }
 
 void for_each_boundary(const ToolOptions& options, const std::function<void(BoundaryComplex&&, const Frame&)>& use) {
   Doubts doubts(options);
-  for_each_document(options, FileKind::boundary, [&](std::string_view text, const Frame& frame) {
-    BoundaryComplex boundary = read_boundary(text, doubts.found());
-    doubts.say_new(text, frame);
-    use(std::move(boundary), frame);
+  for_each_document(options, FileKind::boundary, [&](const InputDocument& document) {
+    ReaderNotes notes;
+    BoundaryComplex boundary = read_boundary(document.text(), &notes);
+    doubts.say_new(document, std::move(notes.doubts));
+    use(std::move(boundary), document.frame());
   });
 }
 

@@ -8,6 +8,7 @@
 #include "formats/document/recognize.h"
 #include "pliant/boundary/boundary_complex.h"
 #include "pliant/mesh/mesh_data.h"
+#include "run/doubts.h"
 #include "run/frame.h"
 #include "run/tool_options.h"
 
@@ -31,17 +32,20 @@ inline constexpr std::string_view out_of_memory =
 /// The words for an exception that nobody expects, which is a fault of the program (status 6).
 std::string describe_internal_error(const std::string& text);
 
-/// Calls `use` with the text of every document of the input. What it throws comes out as a Placed, but for UsageError
-/// and std::system_error. A file that begins as MSH files do goes to `use_msh_file`, if there is one, as a whole.
-void for_each_document(const ToolOptions& options, FileKind kind,
-                       const std::function<void(std::string_view text, const Frame&)>& use,
+/// Calls `use` with every document of the input. What it throws comes out as a Placed, but for UsageError and
+/// std::system_error. A file that begins as MSH files do goes to `use_msh_file`, if there is one, as a whole.
+void for_each_document(const ToolOptions& options, FileKind kind, const std::function<void(InputDocument&)>& use,
                        const std::function<void(std::string_view bytes, const Frame&)>& use_msh_file = {});
 
 /// Calls `use` with every mesh of the input, one at a time. What `use` throws gets the place of the document: an
-/// InputError comes out with "FILE:LINE: frame N: /pointer: TEXT (column N)", a NoResult with "FILE: frame N: ". With
-/// `takes_msh` an MSH file, known by its first bytes, is one frame; what it lacks is said on standard error.
+/// InputError comes out with "FILE:LINE: frame N: /pointer: TEXT (column N)", of CBOR with "FILE: frame N: /pointer:
+/// TEXT (byte N)"; a NoResult with "FILE: frame N: ". An MSH file, known by its first bytes, is one frame; what it lacks
+/// is said on standard error.
 /// Throws      InputError also for an empty input; std::system_error where the input cannot be read
 void for_each_mesh(const ToolOptions& options, const std::function<void(MeshData&&, const Frame&)>& use);
+/// The same; `use` calls `forget_text` once no check is to come that may blame a single number.
+void for_each_mesh(const ToolOptions& options,
+                   const std::function<void(MeshData&&, const Frame&, const std::function<void()>& forget_text)>& use);
 /// The same with boundary documents.
 void for_each_boundary(const ToolOptions& options, const std::function<void(BoundaryComplex&&, const Frame&)>& use);
 

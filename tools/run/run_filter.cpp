@@ -41,14 +41,6 @@ void measure_after(const MeshData& data, const Mesh& mesh, QualityChange& qualit
     for (ComponentSize& size : summary->fields) size.l2 *= data.boundary.unit;  // the root of an integral over the area
 }
 
-/// Writes the mesh in the units of its document. `text` is memory that is used again.
-void write_document(MeshData& data, OutputFile& output, std::string& text) {
-  restore_unit(data);
-  text.clear();
-  write_mesh(data, text);
-  output.write(text);
-}
-
 }  // namespace
 
 int run_filter(Stage& stage, int argc, char** argv) {
@@ -56,21 +48,17 @@ int run_filter(Stage& stage, int argc, char** argv) {
   stage.add_options(app);
   ToolOptions options;
   add_common_options(app, options);
+  add_form_option(app, options);
   return run_tool(app, argc, argv, options, [&] {
     stage.check(app);
     OutputFile output(options.output);
     FrameReports reports(options);
     ProgressLine line(options);
     Stopwatch watch;
-    std::string text;
-    Doubts doubts(options);
     const StageContext context{[&options](const std::string& warning) { say(options, warning); }, line.counters(),
                                reports.is_wanted()};
-    for_each_document(options, FileKind::mesh, [&](std::string_view document, const Frame& frame) {
-      watch.lap();
-      line.stage("read");
-      MeshData data = read_mesh(document, doubts.found());
-      doubts.say_new(document, frame);
+    line.stage("read");
+    for_each_mesh(options, [&](MeshData&& data, const Frame& frame, const std::function<void()>& forget_text) {
       normalize_unit(data);
       std::vector<std::pair<std::string, double>> seconds{{"read", watch.lap()}};
       line.stage("check");
@@ -81,6 +69,7 @@ int run_filter(Stage& stage, int argc, char** argv) {
         quality.emplace().before = summarize_quality(data);
         measuring = watch.lap();
       }
+      forget_text();
       Mesh mesh(std::move(data));
       seconds.emplace_back("check", checking + watch.lap());
       if (quality) {
@@ -89,6 +78,8 @@ int run_filter(Stage& stage, int argc, char** argv) {
       }
       if (stage.explains()) {
         in_unit(mesh.boundary().unit, [&] { output.write(stage.explanation(mesh)); });
+        line.stage("read");
+        watch.lap();
         return;
       }
       line.stage("work");
@@ -103,11 +94,14 @@ int run_filter(Stage& stage, int argc, char** argv) {
         measuring += watch.lap();
         line.stage("write");
       }
-      write_document(data, output, text);
+      restore_unit(data);
+      write_mesh(data, options.output_form(frame.form), [&](std::string_view piece) { output.write(piece); });
       seconds.emplace_back("write", unpacking + watch.lap());
       if (quality) seconds.emplace_back("quality", measuring);
       reports.add(frame, mesh.time, report, seconds, quality ? &*quality : nullptr);
       line.frames_done(frame.index + 1);
+      line.stage("read");
+      watch.lap();
     });
     output.commit();
     return status::done;

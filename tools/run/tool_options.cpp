@@ -22,6 +22,11 @@ void add_common_options(CLI::App& app, ToolOptions& options, bool with_report) {
     app.set_version_flag("--version", app.get_name() + " (Pliant) " PLIANT_VERSION);
 }
 
+void add_form_option(CLI::App& app, ToolOptions& options) {
+  app.add_option("--to", options.to, "the form of the documents that are written; by default that of the input")
+      ->check(CLI::IsMember({"cbor", "json"}));
+}
+
 void say(const ToolOptions& options, const std::string& text) {
   if (!options.quiet) say_failure(options, text);
 }

@@ -1,7 +1,10 @@
 // tools/run/tool_options.h: the options that mean the same in every tool, and what a tool says on standard error.
 #pragma once
 #include <cstddef>
+#include <optional>
 #include <string>
+
+#include "formats/document/document_form.h"
 
 namespace CLI {
 class App;
@@ -17,11 +20,20 @@ struct ToolOptions {
   std::string report;        ///< --report; empty: none
   bool quiet = false;        ///< -q, --quiet
   bool verbose = false;      ///< -v, --verbose
-  bool takes_msh = false;    ///< set by tools whose `for_each_mesh` also reads Gmsh's MSH files
+  std::string to;            ///< --to; empty: as the input
+
+  /// The form of the documents that are written, if those that are read have this form.
+  DocumentForm output_form(DocumentForm as_input) const {
+    if (to.empty()) return as_input;
+    return to == "cbor" ? DocumentForm::cbor : DocumentForm::json;
+  }
 };
 
 /// Adds [INPUT], -o, -q, -v, --version and (unless `with_report` is false) --report.
 void add_common_options(CLI::App& app, ToolOptions& options, bool with_report = true);
+
+/// Adds --to, for tools that write documents.
+void add_form_option(CLI::App& app, ToolOptions& options);
 
 /// "TOOL: text" on standard error, unless -q: what was done, and what was left out.
 void say(const ToolOptions& options, const std::string& text);

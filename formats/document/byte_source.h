@@ -1,0 +1,34 @@
+// formats/document/byte_source.h: the bytes of a stream, also of one that gzip or zstd compressed.
+#pragma once
+#include <cstddef>
+#include <cstdio>
+#include <memory>
+#include <string>
+
+namespace pliant {
+
+/// The bytes of a stream; what gzip or zstd compressed, in one piece or several, is decompressed on the way, with
+/// memory that does not depend on its length.
+class ByteSource {
+ public:
+  /// Takes over the stream (not closed). `name` is for messages: the file, or "standard input".
+  ByteSource(std::FILE* stream, std::string name);
+  ~ByteSource();
+  /// Puts at least one and at most `count` bytes there, what there is without waiting for more, and returns how many;
+  /// 0 at the end.
+  /// Throws      std::system_error when reading fails; InputError, its text with the name, for compressed bytes that are
+  ///             damaged or end early
+  std::size_t read(char* to, std::size_t count);
+  std::FILE* stream() const;
+  const std::string& name() const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+/// All bytes of a source.
+/// Throws      as `read`; std::length_error where there are more than `most`
+std::string read_all(ByteSource& source, std::size_t most = static_cast<std::size_t>(-1));
+
+}  // namespace pliant
