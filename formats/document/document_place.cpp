@@ -160,8 +160,7 @@ DocumentOutline::DocumentOutline(std::string_view document, const std::vector<Nu
   long lines = 0;
   std::size_t line_start = 0;
   const auto pass = [&](std::string_view text, std::size_t begin) {
-    lines += std::count(text.begin(), text.end(), '\n');
-    if (const std::size_t last = text.rfind('\n'); last != std::string_view::npos) line_start = begin + last + 1;
+    for (std::size_t at = 0; (at = text.find('\n', at)) != std::string_view::npos; ++lines) line_start = begin + ++at;
   };
   for (const NumberArray& array : arrays) {
     const std::string_view between = document.substr(done, array.begin - done);
@@ -178,9 +177,10 @@ DocumentOutline::DocumentOutline(std::string_view document, const std::vector<Nu
 }
 
 DocumentPlace DocumentOutline::find(std::string_view pointer) const {
-  const std::size_t found = find_value(text_, pointer);
+  std::size_t found = find_value(text_, pointer);
   const auto next = std::ranges::upper_bound(cuts_, found, {}, &Cut::at);
   const bool is_cbor = form_of(text_) == DocumentForm::cbor;
+  if (is_cbor) found = find_number(typed_array_at(text_, found), pointer);  // a short one is still there
   if (next == cuts_.begin()) return is_cbor ? place_of_cbor_byte(found) : place_of_byte(text_, found);
   const Cut& cut = *std::prev(next);
   const std::size_t stands_for_it = is_cbor ? 1 : 2;

@@ -45,8 +45,11 @@ MeshData wavy_square(int n) {
 
 struct Sample {
   MeshData data = wavy_square(650);  // about 100 MB
-  std::string text;
-  Sample() { write_mesh(data, text); }
+  std::string text, cbor;
+  Sample() {
+    write_mesh(data, text);
+    write_mesh(data, cbor, DocumentForm::cbor);
+  }
 };
 
 const Sample& sample() {
@@ -54,8 +57,8 @@ const Sample& sample() {
   return made;
 }
 
-void count_bytes(benchmark::State& state) {
-  const auto bytes = static_cast<double>(sample().text.size());
+void count_bytes(benchmark::State& state, const std::string& text = sample().text) {
+  const auto bytes = static_cast<double>(text.size());
   state.counters["MB"] = bytes / 1e6;
   state.counters["MB/s"] =
       benchmark::Counter(static_cast<double>(state.iterations()) * bytes / 1e6, benchmark::Counter::kIsRate);
@@ -90,6 +93,23 @@ void stream_document(benchmark::State& state) {
   count_bytes(state);
 }
 
+void write_cbor(benchmark::State& state) {
+  std::string text;
+  for (auto _ : state) {
+    text.clear();
+    write_mesh(sample().data, text, DocumentForm::cbor);
+    benchmark::DoNotOptimize(text.data());
+  }
+  count_bytes(state, sample().cbor);
+}
+
+void read_cbor(benchmark::State& state) {
+  for (auto _ : state) benchmark::DoNotOptimize(read_mesh(sample().cbor).points.data());
+  count_bytes(state, sample().cbor);
+}
+
+BENCHMARK(write_cbor)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(read_cbor)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(write_document)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(read_document)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(stream_document)->Unit(benchmark::kMillisecond)->UseRealTime();

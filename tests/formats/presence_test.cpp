@@ -41,18 +41,18 @@ TEST_CASE("a word of its own is no misspelling", "[formats]") {
 TEST_CASE("doubts of one kind are counted, and their number is bounded", "[formats]") {
   std::string text = R"({"format": "pliant-boundary", "version": 1, "vertices": [], "curves": [], "faces": [)";
   for (int i = 0; i < 5; ++i) text += std::string(i > 0 ? "," : "") + R"({"name": "a", "nam": "b"})";
-  std::vector<Doubt> doubts;
-  read_boundary(text + R"(], "Cusps": 1, "cusp": 2, "other": 3})", &doubts);
-  REQUIRE(doubts.size() == 2);  // a face has no optional members
-  CHECK(doubts[0].pointer == "/Cusps");
-  CHECK(doubts[1].pointer == "/cusp");
-  CHECK(doubts[1].more == 0);
+  ReaderNotes notes;
+  read_boundary(text + R"(], "Cusps": 1, "cusp": 2, "other": 3})", &notes);
+  REQUIRE(notes.doubts.size() == 2);  // a face has no optional members
+  CHECK(notes.doubts[0].pointer == "/Cusps");
+  CHECK(notes.doubts[1].pointer == "/cusp");
+  CHECK(notes.doubts[1].more == 0);
   text = R"({"format": "pliant-mesh", "version": 1, "degree": 1, "points": [], "triangles": [], "triangle_faces": [],
     "constrained_edges": [], "boundary": {"vertices": [], "curves": [], "faces": []}, "criteria": {"a": 0)";
   for (int i = 0; i < 1000; ++i) text += ", \"a/" + std::to_string(i) + "\": 0";
-  read_mesh(text + "}}", &doubts);
-  REQUIRE(doubts.size() == 20);
-  CHECK(doubts[0].pointer == "/criteria/a");
-  CHECK(doubts[1].pointer == "/criteria/a~10");
-  CHECK(doubts.back().more == 981);
+  read_mesh(text + "}}", &notes);
+  REQUIRE(notes.doubts.size() == 20);
+  CHECK(notes.doubts[0].pointer == "/criteria/a");
+  CHECK(notes.doubts[1].pointer == "/criteria/a~10");
+  CHECK(notes.doubts.back().more == 981);
 }

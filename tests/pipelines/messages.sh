@@ -46,13 +46,15 @@ cat >square.json <<'JSON'
 JSON
 for tool in "${mesh_filters[@]}"; do
   run 3 filter "$tool" drawing.svg
-  says "$tool: drawing.svg: this is an SVG drawing, which import-svg reads"
+  says "$tool: drawing.svg: this is an SVG drawing: import-svg makes a boundary of it, bspline2mesh a mesh of that"
   run 3 filter "$tool" mesh.msh
-  says 'which import-msh reads'
+  says "$tool: mesh.msh: "  # read by every tool that reads meshes, and this one has none
   run 3 filter "$tool" square.json
   says 'this is a boundary, of which bspline2mesh makes a mesh (column 13)'
-  run 3 filter "$tool" <(gzip -c disk.json)
-  says 'gzip'
+  run 3 filter "$tool" <(gzip -c square.json)
+  says 'this is a boundary, of which bspline2mesh makes a mesh (column 13)'
+  run 3 filter "$tool" <(gzip -c disk.json | head -c 100)
+  says 'what gzip compressed ends early'
 done
 for tool in import-svg import-msh; do
   if ! has_tool $tool; then continue; fi
@@ -63,11 +65,11 @@ for tool in import-svg import-msh; do
 done
 if has_tool import-msh; then
   run 3 import-msh drawing.svg
-  says 'import-msh: drawing.svg: this is an SVG drawing, which import-svg reads'
+  says 'import-msh: drawing.svg: this is an SVG drawing: import-svg makes a boundary of it, bspline2mesh a mesh of that'
 fi
 if has_tool import-svg; then
   run 3 import-svg mesh.msh
-  says 'import-svg: mesh.msh: this is a Gmsh MSH file, which import-msh reads'
+  says 'import-svg: mesh.msh: this is a Gmsh MSH file: import-msh makes a mesh of it'
 fi
 
 # What a check finds after reading has a line and a column too.
