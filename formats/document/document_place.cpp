@@ -5,9 +5,9 @@
 #include <charconv>
 #include <string>
 
-#include "formats/document/cbor_items.h"
+#include "formats/document/cbor/cbor_items.h"
 #include "formats/document/document_form.h"
-#include "formats/document/pointer_step.h"
+#include "formats/document/utf8.h"
 
 namespace pliant {
 namespace {

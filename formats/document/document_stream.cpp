@@ -14,7 +14,7 @@
 #include <utility>
 
 #include "formats/document/byte_source.h"
-#include "formats/document/cbor_items.h"
+#include "formats/document/cbor/cbor_items.h"
 #include "formats/document/document_form.h"
 
 namespace pliant {

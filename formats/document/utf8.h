@@ -1,5 +1,6 @@
-// formats/document/utf8.h: is it UTF-8?
+// formats/document/utf8.h: text of documents: is it UTF-8, and what name does a step of a JSON pointer stand for?
 #pragma once
+#include <string>
 #include <string_view>
 
 namespace pliant {
@@ -28,6 +29,16 @@ inline const char* find_no_utf8(std::string_view text) {
     p = next;
   }
   return nullptr;
+}
+
+/// One step of a JSON pointer (RFC 6901) as the name that it stands for.
+inline std::string unescape_step(std::string_view step) {
+  std::string name;
+  for (std::size_t i = 0; i < step.size(); ++i) {
+    const bool is_escape = step[i] == '~' && i + 1 < step.size();
+    name += !is_escape ? step[i] : step[++i] == '1' ? '/' : '~';
+  }
+  return name;
 }
 
 }  // namespace pliant

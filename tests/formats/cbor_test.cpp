@@ -9,7 +9,7 @@
 #include "formats/document/document_reader.h"
 #include "formats/document/document_stream.h"
 #include "formats/document/mesh_document.h"
-#include "formats/document/read_cbor.h"
+#include "formats/document/cbor/read_cbor.h"
 
 using namespace pliant;
 using namespace std::string_literals;

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "evolve/frame_output.h"
-#include "formats/document/cbor_items.h"
+#include "formats/document/cbor/cbor_items.h"
 #include "formats/document/document_form.h"
 #include "run/exit_status.h"
 #include "run/growing_file.h"

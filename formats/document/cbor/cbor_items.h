@@ -1,4 +1,4 @@
-// formats/document/cbor_items.h: heads of CBOR items (RFC 8949), typed arrays (RFC 8746), and where items end.
+// formats/document/cbor/cbor_items.h: heads of CBOR items (RFC 8949), typed arrays (RFC 8746), and where items end.
 #pragma once
 #include <cstddef>
 #include <cstdint>

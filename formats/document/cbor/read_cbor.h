@@ -1,8 +1,8 @@
-// formats/document/read_cbor.h: a strict pull reader of CBOR (RFC 8949) whose values have a meaning in JSON.
+// formats/document/cbor/read_cbor.h: a strict pull reader of CBOR (RFC 8949) whose values have a meaning in JSON.
 #pragma once
 #include <deque>
 
-#include "formats/document/cbor_items.h"
+#include "formats/document/cbor/cbor_items.h"
 #include "formats/document/document_reader.h"
 
 namespace pliant {

@@ -1,12 +1,12 @@
-// formats/document/read_cbor.cpp: objects, arrays, scalars and faults of a document in CBOR.
-#include "formats/document/read_cbor.h"
+// formats/document/cbor/read_cbor.cpp: objects, arrays, scalars and faults of a document in CBOR.
+#include "formats/document/cbor/read_cbor.h"
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
 #include <limits>
 
-#include "formats/document/cbor_numbers.h"
+#include "formats/document/cbor/cbor_numbers.h"
 #include "formats/document/utf8.h"
 
 namespace pliant {

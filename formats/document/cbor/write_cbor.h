@@ -1,4 +1,4 @@
-// formats/document/write_cbor.h: CBOR (RFC 8949), with arrays of numbers as typed arrays (RFC 8746).
+// formats/document/cbor/write_cbor.h: CBOR (RFC 8949), with arrays of numbers as typed arrays (RFC 8746).
 #pragma once
 #include "formats/document/document_writer.h"
 

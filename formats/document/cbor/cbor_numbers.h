@@ -1,4 +1,4 @@
-// formats/document/cbor_numbers.h: the numbers of typed arrays, at any address, in either order of bytes.
+// formats/document/cbor/cbor_numbers.h: the numbers of typed arrays, at any address, in either order of bytes.
 #pragma once
 #include <algorithm>
 #include <bit>

@@ -1,5 +1,5 @@
-// formats/document/write_cbor.cpp: heads, numbers and typed arrays of CBOR.
-#include "formats/document/write_cbor.h"
+// formats/document/cbor/write_cbor.cpp: heads, numbers and typed arrays of CBOR.
+#include "formats/document/cbor/write_cbor.h"
 
 #include <algorithm>
 #include <bit>

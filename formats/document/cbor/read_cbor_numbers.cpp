@@ -1,11 +1,11 @@
-// formats/document/read_cbor_numbers.cpp: arrays of numbers, which a typed array gives in one copy.
+// formats/document/cbor/read_cbor_numbers.cpp: arrays of numbers, which a typed array gives in one copy.
 #include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <utility>
 
-#include "formats/document/cbor_numbers.h"
-#include "formats/document/read_cbor.h"
+#include "formats/document/cbor/cbor_numbers.h"
+#include "formats/document/cbor/read_cbor.h"
 
 namespace pliant {
 namespace {

@@ -1,11 +1,11 @@
-// formats/document/cbor_items.cpp: passes over CBOR items without making values of them.
-#include "formats/document/cbor_items.h"
+// formats/document/cbor/cbor_items.cpp: passes over CBOR items without making values of them.
+#include "formats/document/cbor/cbor_items.h"
 
 #include <algorithm>
 #include <charconv>
 #include <string>
 
-#include "formats/document/pointer_step.h"
+#include "formats/document/utf8.h"
 
 namespace pliant {
 
