@@ -10,6 +10,7 @@
 #include "run/documents.h"
 #include "run/exit_status.h"
 #include "run/frame_reports.h"
+#include "run/history.h"
 #include "run/in_unit.h"
 #include "run/output_file.h"
 #include "run/run_tool.h"
@@ -76,6 +77,7 @@ int main(int argc, char** argv) {
       std::string text;
       MeshData data = mesh.to_data();
       restore_unit(data);
+      record(options, data.extra);
       write_mesh(data, text);
       output.write(text);
       reports.add(frame, mesh.time, report, {{"read", read}, {"check", check}, {"write", watch.lap()}});

@@ -2,6 +2,7 @@
 #pragma once
 #include <cstddef>
 #include <string>
+#include <vector>
 
 namespace CLI {
 class App;
@@ -11,17 +12,19 @@ namespace pliant {
 
 /// The options that mean the same everywhere. "-" is standard input or output.
 struct ToolOptions {
-  std::string tool;          ///< the tool's name, for messages
-  std::string input = "-";   ///< [INPUT]
-  std::string output = "-";  ///< -o, --output
-  std::string report;        ///< --report; empty: none
-  bool quiet = false;        ///< -q, --quiet
-  bool verbose = false;      ///< -v, --verbose
-  bool takes_msh = false;    ///< set by tools whose `for_each_mesh` also reads Gmsh's MSH files
+  std::string tool;                ///< the tool's name, for messages
+  std::string input = "-";         ///< [INPUT]
+  std::string output = "-";        ///< -o, --output
+  std::string report;              ///< --report; empty: none
+  bool quiet = false;              ///< -q, --quiet
+  bool verbose = false;            ///< -v, --verbose
+  bool history = false;            ///< --history
+  std::vector<std::string> given;  ///< with --history, the options that decide the result
+  bool takes_msh = false;          ///< set by tools whose `for_each_mesh` also reads Gmsh's MSH files
 };
 
-/// Adds [INPUT], -o, -q, -v, --version and (unless `with_report` is false) --report.
-void add_common_options(CLI::App& app, ToolOptions& options, bool with_report = true);
+/// Adds [INPUT], -o, -q, -v, --version and, for tools that write documents, --report and --history.
+void add_common_options(CLI::App& app, ToolOptions& options, bool writes_documents = true);
 
 /// "TOOL: text" on standard error, unless -q: what was done, and what was left out.
 void say(const ToolOptions& options, const std::string& text);
