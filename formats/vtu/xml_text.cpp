@@ -56,6 +56,8 @@ std::string escape_attribute(std::string_view text) {
     else
       result += text.substr(0, size);
     text.remove_prefix(std::max(size, std::size_t{1}));
+    // One replacement stands for all bytes of what is no character.
+    while (size == 0 && !text.empty() && (static_cast<unsigned char>(text[0]) & 0xc0) == 0x80) text.remove_prefix(1);
   }
   return result;
 }
