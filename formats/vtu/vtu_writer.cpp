@@ -132,7 +132,8 @@ class Writer {
   void write_positions() {
     file_.tag("<Points>");
     static_assert(sizeof(Point) == 2 * sizeof(double));
-    write_rows("Points", {2, {&mesh_.points.data()->x, 2 * mesh_.points.size()}, false}, mesh_.boundary.unit);
+    write_rows("Points", {2, {reinterpret_cast<const double*>(mesh_.points.data()), 2 * mesh_.points.size()}, false},
+               mesh_.boundary.unit);
     file_.tag("</Points>");
   }
 

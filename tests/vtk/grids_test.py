@@ -185,6 +185,14 @@ class Grids(unittest.TestCase):
             self.assertEqual((*point, 0.0), grid.GetPoint(k))
             self.assertEqual(document.fields["u"]["values"][k], grid.GetPointData().GetArray("u").GetValue(k))
 
+    def test_a_mesh_without_elements(self):
+        pathlib.Path("mesh.json").write_text(
+            '{"format":"pliant-mesh","version":1,"degree":2,"points":[],"triangles":[],"triangle_faces":[],'
+            '"constrained_edges":[],"boundary":{"vertices":[],"faces":[],"curves":[]}}')
+        run("export-vtu", "--curves", "mesh.json", "-o", "out.vtu")
+        grid = read("out.vtu")
+        self.assertEqual((0, 0, []), (grid.GetNumberOfPoints(), grid.GetNumberOfCells(), strings(grid, "face_names")))
+
     def test_a_series(self):
         pathlib.Path("series.jsonl").write_bytes(
             b"".join(run("sample_mesh", "disk", str(p), str(time)).stdout for p, time in ((1, 0), (2, 0.5), (4, 0.75))))

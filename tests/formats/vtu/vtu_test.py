@@ -14,6 +14,9 @@ from vtu_files import BEZIER, LAGRANGE, Document, Grid, evaluate, run, vtk_order
 
 EXAMPLES = pathlib.Path(__file__).resolve().parent.parent.parent.parent / "samples/examples"
 
+EMPTY = {"format": "pliant-mesh", "version": 1, "degree": 2, "points": [], "triangles": [], "triangle_faces": [],
+         "constrained_edges": [], "boundary": {"vertices": [], "faces": [], "curves": []}}
+
 
 def heat(x, y, face):
     return [math.sin(3 * x) + y + 10 * face]
@@ -200,6 +203,12 @@ class Vtu(unittest.TestCase):
         self.assertEqual([(*point, 0.0) for point in document.points], grid.points)
         order = [document.nets[7].index(p) for p in grid.cells[7]]
         self.assertEqual([[net[k] for k in order] for net in document.nets], grid.cells[:len(document.nets)])
+
+    def test_a_mesh_without_elements(self):
+        pathlib.Path("mesh.json").write_text(json.dumps(EMPTY))
+        for options in ((), ("--lagrange", "--curves")):
+            grid = self.grid(*options)
+            self.assertEqual(([], [], []), (grid.points, grid.cells, grid.field_data["face_names"].values))
 
     def test_a_series_is_a_list_of_files(self):
         text = b"".join(run("sample_mesh", "disk", str(p), str(time)).stdout
