@@ -134,10 +134,13 @@ Field MshNodalField::take(const MeshData& mesh, bool by_face) && {
   }
   // Further faces, sorted, join the first ones of their nodes.
   std::vector<std::uint64_t> keys;
+  keys.reserve(values_.size() / width_);
   for (const auto& entry : further_) keys.push_back(entry.first);
   for (std::size_t p = 0; p < points_; ++p)
     if (first_face_[p] != none) keys.push_back(key_of(static_cast<PointId>(p), first_face_[p]));
   std::sort(keys.begin(), keys.end());
+  field.places.reserve(keys.size());
+  field.values.reserve(keys.size() * width_);
   for (const std::uint64_t key : keys) {
     const auto node = static_cast<PointId>(key >> 32);
     const auto face = static_cast<FaceId>(key & 0xffffffff);
@@ -145,6 +148,7 @@ Field MshNodalField::take(const MeshData& mesh, bool by_face) && {
     const double* row = &values_[slot(node, face) * width_];
     field.values.insert(field.values.end(), row, row + width_);
   }
+  values_ = {};
   return field;
 }
 
