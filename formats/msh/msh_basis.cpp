@@ -90,7 +90,7 @@ MshBasis::Map MshBasis::by_scheme() const {
     }
   }
   // Gmsh writes the Lagrange basis of elements as a scheme: then values are taken over bit for bit.
-  const Map plain = count == index(layout.size()) ? lagrange(degree_) : Map{};
+  Map plain = count == index(layout.size()) ? lagrange(degree_) : Map{};
   if (plain.source.empty()) return map;
   for (std::size_t k = 0; k < count; ++k)
     for (std::size_t n = 0; n < count; ++n)
