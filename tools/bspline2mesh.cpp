@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "formats/document/history.h"
 #include "formats/document/mesh_document.h"
 #include "options/criteria_options.h"
 #include "options/field_option.h"
@@ -17,6 +18,7 @@
 #include "run/documents.h"
 #include "run/exit_status.h"
 #include "run/frame_reports.h"
+#include "run/history.h"
 #include "run/in_unit.h"
 #include "run/output_file.h"
 #include "run/progress_line.h"
@@ -123,6 +125,8 @@ class Meshing {
     report_in_document(report, boundary.unit);
     MeshData data = mesh.to_data();
     restore_unit(data);
+    inherit_history(data.boundary.extra, data.extra);
+    record(options_.tool, data.extra);
     write_mesh(data, options_.tool.output_form(frame.form), [this](std::string_view piece) { output_.write(piece); });
     seconds_.emplace_back("write", watch_.lap());
     reports_.add(frame, mesh.time, report, seconds_);

@@ -12,13 +12,12 @@ namespace {
 
 using namespace pliant;
 
-/// What a file in MSH format has no place for is not lost without a word.
-void say_what_is_left_out(const ToolOptions& options, const MeshData& mesh) {
-  std::string names;
-  for (const Field& field : mesh.fields) names += (names.empty() ? "" : ", ") + field.name;
-  if (!names.empty())
-    say(options, std::string(mesh.fields.size() == 1 ? "the field " : "the fields ") + names +
-                     (mesh.fields.size() == 1 ? " is" : " are") + " left out");
+/// Fields of which Gmsh has no kind are not changed without a word.
+void say_what_is_split(const ToolOptions& options, const MeshData& mesh) {
+  for (const Field& field : mesh.fields)
+    if (field.components > 3 && field.components != 9)
+      say(options, "the field " + field.name + " has " + std::to_string(field.components) +
+                       " components, and Gmsh knows 1, 3 and 9: each is written as a view of its own");
 }
 
 }  // namespace
@@ -37,7 +36,7 @@ int main(int argc, char** argv) {
     msh.version = format == "msh22" ? MshWriteOptions::Version::v2_2 : MshWriteOptions::Version::v4_1;
     OutputFile output(options.output);
     const MeshData mesh = frame.read(options);
-    say_what_is_left_out(options, mesh);
+    say_what_is_split(options, mesh);
     std::string text;
     write_msh(mesh, msh, text);
     output.write(text);

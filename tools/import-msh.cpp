@@ -1,5 +1,6 @@
 // tools/import-msh.cpp: reads a file of Gmsh's as a mesh.
 #include <CLI/CLI.hpp>
+#include <optional>
 
 #include "formats/document/mesh_document.h"
 #include "formats/msh/msh.h"
@@ -10,6 +11,7 @@
 #include "run/documents.h"
 #include "run/exit_status.h"
 #include "run/frame_reports.h"
+#include "run/history.h"
 #include "run/in_unit.h"
 #include "run/output_file.h"
 #include "run/run_tool.h"
@@ -52,20 +54,25 @@ int main(int argc, char** argv) {
   ToolOptions options;
   MshOptions msh;
   FieldOption fields;
-  std::string time_text = "0";
+  std::string time_text;
   add_common_options(app, options);
   add_form_option(app, options);
   app.get_option("--to")->description("the form of the document; json by default");
   app.add_flag("--orient", msh.orient, "turn parts of the mesh whose triangles run clockwise");
   fields.add(app);
-  app.add_option("--time", time_text, "time of the mesh")->type_name("T")->capture_default_str();
+  app.add_option("--step", msh.step, "which time step of each view is read, from 0; -1 is the last")->type_name("N");
+  app.add_option("--time", time_text, "time of the mesh, instead of that of its views")->type_name("T");
   return run_tool(app, argc, argv, options, [&] {
-    const double time = parse_number("--time", time_text);
+    std::optional<double> time;
+    if (app.count("--time") > 0) time = parse_number("--time", time_text);
     fields.check();
     OutputFile output(options.output);
     FrameReports reports(options);
     Stopwatch watch;
     for_msh(options, msh, [&](MshImport&& import, const Frame& frame) {
+      if (!import.no_step.empty())
+        throw UsageError(frame.source + ": " + import.no_step + ", and --step asks for step " +
+                         std::to_string(*msh.step));
       normalize_unit(import.mesh);
       const double unit = import.mesh.boundary.unit;
       const double read = watch.lap();
@@ -73,10 +80,11 @@ int main(int argc, char** argv) {
       const double check = watch.lap();
       const PassReport report = summarize(import);
       Mesh mesh(std::move(import.mesh));
-      mesh.time = time;
+      if (time) mesh.time = *time;
       in_unit(unit, [&] { fields.apply(mesh); });
       MeshData data = mesh.to_data();
       restore_unit(data);
+      record(options, data.extra);
       write_mesh(data, options.output_form(frame.form), [&](std::string_view piece) { output.write(piece); });
       reports.add(frame, mesh.time, report, {{"read", read}, {"check", check}, {"write", watch.lap()}});
     });

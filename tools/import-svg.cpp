@@ -13,6 +13,7 @@
 #include "run/documents.h"
 #include "run/exit_status.h"
 #include "run/frame_reports.h"
+#include "run/history.h"
 #include "run/output_file.h"
 #include "run/run_tool.h"
 #include "run/stopwatch.h"
@@ -118,6 +119,7 @@ int main(int argc, char** argv) {
     if (!options.verbose)  // else they are notes of the report
       for (const std::string& warning : import.warnings) say(options, frame.source + ": " + warning);
     const double read = watch.lap();
+    record(options, import.boundary.extra);
     std::string text;
     write_boundary(import.boundary, text, options.output_form(DocumentForm::json));
     output.write(text);

@@ -4,10 +4,10 @@
 #include <optional>
 #include <string>
 
+#include "formats/document/cbor/write_cbor.h"
 #include "formats/document/mesh_document.h"
 #include "formats/document/presence.h"
 #include "formats/document/recognize.h"
-#include "formats/document/cbor/write_cbor.h"
 #include "formats/document/write_json.h"
 
 namespace pliant {

@@ -62,7 +62,8 @@ class GzipDecompressor : public Decompressor {
       inflateReset(&z_);
     }
     constexpr std::size_t most = 1U << 30;
-    const auto room = static_cast<uInt>(std::min(count, most)), there = static_cast<uInt>(std::min(packed.size(), most));
+    const auto room = static_cast<uInt>(std::min(count, most)),
+               there = static_cast<uInt>(std::min(packed.size(), most));
     z_.next_in = reinterpret_cast<Bytef*>(packed.bytes.data() + packed.begin);
     z_.avail_in = there;
     z_.next_out = reinterpret_cast<Bytef*>(to);
@@ -141,8 +142,8 @@ struct ByteSource::State {
     while (packed.end < magic && !is_over) {
       packed.end += read_some(packed.bytes.data() + packed.end, magic - packed.end);
       // A single byte that begins neither settles it.
-      if (packed.end > 0 && !gzip_magic.starts_with(packed.view().substr(0, 2)) && !zstd_magic.starts_with(packed.view()) &&
-          (static_cast<unsigned char>(packed.bytes[0]) & 0xF0) != 0x50)
+      if (packed.end > 0 && !gzip_magic.starts_with(packed.view().substr(0, 2)) &&
+          !zstd_magic.starts_with(packed.view()) && (static_cast<unsigned char>(packed.bytes[0]) & 0xF0) != 0x50)
         break;
     }
     if (packed.view().starts_with(gzip_magic))

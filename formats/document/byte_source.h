@@ -16,7 +16,8 @@ class ByteSource {
   ~ByteSource();
   /// Puts at least one and at most `count` bytes there, what there is without waiting for more, and returns how many;
   /// 0 at the end.
-  /// Throws      std::system_error when reading fails; InputError, its text with the name, for compressed bytes that are
+  /// Throws      std::system_error when reading fails; InputError, its text with the name, for compressed bytes that
+  /// are
   ///             damaged or end early
   std::size_t read(char* to, std::size_t count);
   std::FILE* stream() const;

@@ -115,8 +115,8 @@ std::size_t find_number(const NumberArray& array, std::string_view step) {
   std::size_t index = 0;
   if (array.width == 0 || step.size() < 2) return array.begin;
   const auto [end, error] = std::from_chars(step.data() + 1, step.data() + step.size(), index);
-  const bool is_there = error == std::errc() && end == step.data() + step.size() &&
-                        index < (array.end - array.first) / array.width;
+  const bool is_there =
+      error == std::errc() && end == step.data() + step.size() && index < (array.end - array.first) / array.width;
   return is_there ? array.first + index * array.width : array.begin;
 }
 
@@ -136,8 +136,8 @@ NumberArray typed_array_at(std::string_view cbor, std::size_t at) {
 }  // namespace
 
 std::string with_offset(const std::string& text, const DocumentPlace& place) {
-  return text + (place.byte >= 0 ? " (byte " + std::to_string(place.byte) : " (column " + std::to_string(place.column)) +
-         ")";
+  return text +
+         (place.byte >= 0 ? " (byte " + std::to_string(place.byte) : " (column " + std::to_string(place.column)) + ")";
 }
 
 DocumentPlace place_of_byte(std::string_view json, std::size_t at) {
@@ -185,8 +185,8 @@ DocumentPlace DocumentOutline::find(std::string_view pointer) const {
   const Cut& cut = *std::prev(next);
   const std::size_t stands_for_it = is_cbor ? 1 : 2;
   const bool is_array = found == cut.at;
-  const std::size_t byte = is_array ? find_number(cut.array, pointer)
-                                    : cut.array.end + (found - cut.at - stands_for_it);
+  const std::size_t byte =
+      is_array ? find_number(cut.array, pointer) : cut.array.end + (found - cut.at - stands_for_it);
   if (is_cbor) return place_of_cbor_byte(byte);
   if (is_array) {  // its place is where it begins, while the cut counts to its end
     const Cut before = next - cuts_.begin() >= 2 ? *std::prev(next, 2) : Cut{};

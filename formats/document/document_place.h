@@ -52,9 +52,9 @@ class DocumentOutline {
  private:
   struct Cut {
     NumberArray array;
-    std::size_t at = 0;           // where what stands for the array begins in the outline
-    long lines = 0;               // line breaks in the document before the array's end
-    std::size_t line_start = 0;   // of the document's line in which the array ends
+    std::size_t at = 0;          // where what stands for the array begins in the outline
+    long lines = 0;              // line breaks in the document before the array's end
+    std::size_t line_start = 0;  // of the document's line in which the array ends
   };
   std::string text_;
   std::vector<Cut> cuts_;

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "formats/document/document_form.h"
 #include "formats/document/cbor/read_cbor.h"
+#include "formats/document/document_form.h"
 #include "formats/document/read_json.h"
 
 namespace pliant {

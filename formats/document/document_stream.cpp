@@ -85,8 +85,8 @@ struct DocumentStream::State {
   std::size_t room = 0, begin = 0, end = 0;
   bool at_end = false;
   long frame = -1;
-  long line = 1;        // of buffer[begin]
-  long first_line = 1;  // of the document last returned
+  long line = 1;                          // of buffer[begin]
+  long first_line = 1;                    // of the document last returned
   std::int64_t byte = 0, first_byte = 0;  // the same
   void* mapped = MAP_FAILED;
   std::size_t mapped_size = 0;

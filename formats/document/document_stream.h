@@ -28,8 +28,8 @@ class DocumentStream {
   /// The first bytes, as many as there are up to `most`, of a stream that does not start with an object; empty, without
   /// waiting for more, of one that does. Only before the first `next`.
   std::string_view head_unless_object(std::size_t most);
-  long frame() const;       ///< number of the document last returned, from 0
-  long first_line() const;  ///< line on which it starts, from 1
+  long frame() const;               ///< number of the document last returned, from 0
+  long first_line() const;          ///< line on which it starts, from 1
   std::int64_t first_byte() const;  ///< at which it starts, from 0
   const std::string& name() const;
 

@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "formats/document/mesh_document.h"
 #include "formats/document/document_reader.h"
+#include "formats/document/mesh_document.h"
 #include "formats/document/write_json.h"
 
 namespace pliant {

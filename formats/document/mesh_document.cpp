@@ -7,8 +7,8 @@
 #include <string>
 
 #include "formats/document/boundary_document.h"
-#include "formats/document/presence.h"
 #include "formats/document/cbor/write_cbor.h"
+#include "formats/document/presence.h"
 #include "formats/document/write_json.h"
 #include "pliant/geometry/net_layout.h"
 #include "pliant/mesh/check_mesh.h"

@@ -1,4 +1,5 @@
-// formats/document/mesh_document.h: the mesh and boundary documents, as JSON and as CBOR, one or a series (formats/mesh.md).
+// formats/document/mesh_document.h: the mesh and boundary documents, as JSON and as CBOR, one or a series
+// (formats/mesh.md).
 #pragma once
 #include <string>
 #include <string_view>

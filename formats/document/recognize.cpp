@@ -18,7 +18,8 @@ struct Kind {
 
 constexpr std::string_view of_no_tool = ", which no tool of Pliant reads";
 constexpr Kind svg_drawing{"an SVG drawing", ": import-svg makes a boundary of it, bspline2mesh a mesh of that"};
-constexpr Kind msh_file{"a Gmsh MSH file", ": import-msh makes a mesh of it, and tools that read meshes take it as it is"};
+constexpr Kind msh_file{"a Gmsh MSH file",
+                        ": import-msh makes a mesh of it, and tools that read meshes take it as it is"};
 constexpr Kind vtk_file{"a VTK file", of_no_tool};
 constexpr Kind gltf_file{"a glTF file", ", a picture that export-gltf makes of a mesh; no tool reads it"};
 constexpr Kind quality_report{"a report of qualityreport's", ": give the mesh that it is about"};
@@ -63,12 +64,24 @@ Kind recognize_magic(std::string_view head) {
   constexpr Kind xz{"a file that xz compressed", ": xz -dc FILE | TOOL reads it (gzip and zstd need no such help)"};
   constexpr Kind bzip2{"a file that bzip2 compressed",
                        ": bzip2 -dc FILE | TOOL reads it (gzip and zstd need no such help)"};
-  const Magic magics[] = {{"glTF", gltf_file},      {"\x89PNG", pixels},    {"\xFF\xD8\xFF", pixels},
-                          {"GIF8", pixels},         {"BM", pixels},         {"II*", pixels},
-                          {"%PDF", page},           {"%!PS", script},       {"\xFF\xFE", utf16},
-                          {"\xFE\xFF", utf16},      {"# vtk DataFile", vtk_file},
-                          {"PK\x03\x04", archive},  {"\xFD" "7zXZ", xz},    {"BZh", bzip2}};
-  const auto* const found = std::ranges::find_if(magics, [&](const Magic& each) { return head.starts_with(each.bytes); });
+  const Magic magics[] = {{"glTF", gltf_file},
+                          {"\x89PNG", pixels},
+                          {"\xFF\xD8\xFF", pixels},
+                          {"GIF8", pixels},
+                          {"BM", pixels},
+                          {"II*", pixels},
+                          {"%PDF", page},
+                          {"%!PS", script},
+                          {"\xFF\xFE", utf16},
+                          {"\xFE\xFF", utf16},
+                          {"# vtk DataFile", vtk_file},
+                          {"PK\x03\x04", archive},
+                          {"\xFD"
+                           "7zXZ",
+                           xz},
+                          {"BZh", bzip2}};
+  const auto* const found =
+      std::ranges::find_if(magics, [&](const Magic& each) { return head.starts_with(each.bytes); });
   return found == std::end(magics) ? Kind{} : found->kind;
 }
 

@@ -11,8 +11,8 @@ inline constexpr std::size_t recognized_by = 4096;  ///< first bytes, or fewer
 /// The kinds that tools read.
 enum class FileKind { mesh, boundary, svg, msh, problem };
 
-/// "this is an SVG drawing: import-svg makes a boundary of it ...", if the bytes look like a file of another kind than `wanted`;
-/// empty if they look like nothing known.
+/// "this is an SVG drawing: import-svg makes a boundary of it ...", if the bytes look like a file of another kind than
+/// `wanted`; empty if they look like nothing known.
 std::string describe_other_kind(std::string_view bytes, FileKind wanted);
 
 /// The same by the member `format` of a document; empty for one that is not Pliant's.

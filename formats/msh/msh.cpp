@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <set>
 
+#include "formats/msh/msh_fields.h"
 #include "formats/msh/msh_mesh.h"
 #include "pliant/geometry/index.h"
 #include "pliant/geometry/net_layout.h"
@@ -29,10 +30,18 @@ class Import {
       warn(take_mixed_nets(file_, mesh()));
     else
       take_nets(file_, mesh());
+    MshViews views = read_views(file_, mesh(), options_.step);
+    for (std::string& text : views.warnings) warn(std::move(text));
+    result_.no_step = views.no_step;
+    mesh().time = views.time;
     if (options_.orient) turned_ = orient_triangles(mesh());
     const EdgeFindings findings = pair_edges(mesh(), !is_mixed);
     warn_of_clockwise(findings);
     warn(name_double_nodes(file_, mesh(), findings.open));
+    for (MshViews::View& view : views.views) {
+      mesh().fields.push_back(std::move(view.values).take(mesh(), view.by_face));
+      mesh().fields.back().name = view.name;
+    }
     drop_unused(findings.uses);
     for (std::string& text : trace_curves(file_, findings.open, mesh())) warn(std::move(text));
     warn_of_the_rest();
@@ -204,12 +213,28 @@ class Import {
       mesh().points[kept++] = mesh().points[p];
     }
     mesh().points.resize(kept);
+    for (Field& field : mesh().fields) drop_values(field, number);
     for (PointId& p : mesh().triangles) p = number[index(p)];
     // Lines whose ends belong to no triangle are kept, so that the warning counts them.
     for (MshLine& line : file_.lines) {
       line.from = number[index(line.from)];
       line.to = number[index(line.to)];
     }
+  }
+
+  /// Renumbers the points of a field; those without a new number are dropped.
+  static void drop_values(Field& field, const std::vector<PointId>& number) {
+    // All places of a field by face are places of triangles.
+    for (auto& place : field.places) place[0] = number[index(place[0])];
+    if (field.by_face) return;
+    const std::size_t width = index(field.components);
+    std::size_t kept = 0;
+    for (std::size_t p = 0; p < number.size(); ++p) {
+      if (number[p] == none) continue;
+      for (std::size_t c = 0; c < width; ++c) field.values[kept * width + c] = field.values[p * width + c];
+      ++kept;
+    }
+    field.values.resize(kept * width);
   }
 
   void warn_of_the_rest() {

@@ -1,6 +1,7 @@
 // formats/msh/msh.h: reads Gmsh's MSH files, versions 1 to 4.1, text and binary (formats/msh.md).
 #pragma once
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -43,6 +44,7 @@ class TagRuns {
 
 struct MshOptions {
   bool orient = false;  ///< turn elements so that neighbours agree and every connected part has a positive area
+  std::optional<int> step = {};  ///< which time step of each view is read, from 0; -1: the last. Absent: the first
 };
 
 struct MshImport {
@@ -50,14 +52,16 @@ struct MshImport {
   std::vector<std::string> warnings;  ///< what was left out or looks wrong, a sentence each
   std::vector<std::string> notes;     ///< what was left out without loss: points of the geometry
   TagRuns elements;                   ///< Gmsh's tag of each triangle
-  TagRuns nodes;  ///< Gmsh's tag of each point; points that elevation made have the tags behind the greatest
+  TagRuns nodes;        ///< Gmsh's tag of each point; points that elevation made have the tags behind the greatest
+  std::string no_step;  ///< if a view lacks the step that was asked for: which view, and how many steps it has
 };
 
 /// The section that says how the others are written. Sections that are passed over may stand before it.
 inline constexpr std::string_view msh_magic = "$MeshFormat";
 
 /// Reads the mesh of a file: Lagrange nodes become Bézier control points, and physical groups become faces and names of
-/// curves. Edges with one triangle, or between two faces, become constrained edges.
+/// curves. Edges with one triangle, or between two faces, become constrained edges. Views become fields, and the time
+/// of the first of them is that of the mesh.
 ///
 /// Ensures     check_arrays of the mesh is empty. No more is promised: structure (M1, M2, M5) and validity are those
 ///             of the file, for `check_structure` and `find_invalid` to judge

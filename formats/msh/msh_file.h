@@ -90,6 +90,28 @@ struct MshEntity {
   int parent = 0;  ///< the entity that it is a partition of; 0: none
 };
 
+/// The part of a section $InterpolationScheme that is about triangles: value i of an element is the factor of the
+/// polynomial that has row i of `coefficients` before the monomials u^a v^b. The reference triangle has the corners
+/// (0, 0), (1, 0), (0, 1).
+struct MshScheme {
+  std::size_t count = 0;             ///< how many values an element has; 0 if there is nothing for triangles
+  std::vector<double> coefficients;  ///< count rows, a number for each monomial
+  std::vector<double> exponents;     ///< two for each monomial
+};
+
+/// The head of a section with values: $NodeData, $ElementData or $ElementNodeData.
+struct MshDataSection {
+  enum Kind : char { node, element, element_node };
+  Kind kind = node;
+  std::string view, scheme;
+  std::string mark;  ///< the third string tag, in which export-msh says what Gmsh has no tag for
+  double time = 0;
+  std::int32_t step = 0, components = 1, partition = 0;
+  std::uint64_t entries = 0;
+  MshCursor in;  ///< stands before the first entry
+};
+const char* section_name(MshDataSection::Kind kind);
+
 struct MshFile {
   std::vector<Point> nodes;
   std::vector<double> z;  ///< z of each node; empty where all are `plane`
@@ -103,6 +125,8 @@ struct MshFile {
   std::map<std::pair<int, int>, MshEntity> entities;     ///< by dimension and tag
   std::array<std::uint64_t, msh_type_count> left_out{};  ///< how many elements of each type are not read
   std::vector<std::string> skipped;                      ///< names of sections that are not read
+  std::vector<MshDataSection> data;                      ///< sections with values, in the order of the file
+  std::map<std::string, MshScheme> schemes;              ///< by name; of two with one name the first
 };
 
 /// The largest coordinate that is read: beyond it a control point could overflow.
@@ -119,5 +143,10 @@ void read_nodes_4(MshCursor& in, MshFile& file, bool is_4_0);
 void read_elements_1(MshCursor& in, MshFile& file);
 void read_elements_2(MshCursor& in, MshFile& file);
 void read_elements_4(MshCursor& in, MshFile& file, bool is_4_0);
+
+// Sections with values (msh_views.cpp): the cursor stands behind the line of the section's name, and is left behind the
+// section. Values themselves are read later, when the triangles are known.
+void read_data_head(MshCursor& in, MshFile& file, MshDataSection::Kind kind, const char* start);
+void read_scheme(MshCursor& in, MshFile& file);
 
 }  // namespace pliant

@@ -1,6 +1,7 @@
 // formats/msh/msh_sections.cpp: the header of an MSH file, its sections in turn, names of groups, entities.
 #include <algorithm>
 #include <cstdlib>
+#include <optional>
 
 #include "formats/msh/msh_file.h"
 
@@ -108,9 +109,20 @@ class SectionReader {
       begin("PartitionedEntities", start);
       read_entities(true);
       in_.expect("$EndPartitionedEntities", " behind the entities");
+    } else if (name == "InterpolationScheme" && version_ >= 20) {
+      read_scheme(in_, file_);
+      in_.expect("$EndInterpolationScheme", " behind the scheme");
+    } else if (const auto kind = data_kind(name); kind && version_ >= 20) {
+      read_data_head(in_, file_, *kind, start);
     } else {
       skip_section(start, name);
     }
+  }
+
+  static std::optional<MshDataSection::Kind> data_kind(std::string_view name) {
+    for (const auto kind : {MshDataSection::node, MshDataSection::element, MshDataSection::element_node})
+      if (name == section_name(kind)) return kind;
+    return std::nullopt;
   }
 
   void skip_section(const char* start, std::string_view name) {

@@ -96,23 +96,7 @@ std::string describe_left_out(std::int64_t type, std::uint64_t count) {
   return text + " (type " + std::to_string(type) + ")";
 }
 
-std::vector<int> msh_net_order(int order) {
-  const NetLayout& layout = NetLayout::of(order);
-  std::vector<int> net;
-  // The inner nodes form a triangle of order `inner`; all their exponents are at least `depth`.
-  for (int inner = order, depth = 0; inner >= 0; inner -= 3, ++depth) {
-    if (inner == 0) {
-      net.push_back(layout.index(depth, depth));
-      break;
-    }
-    for (int index = 0; index < NetLayout::of(inner).first_interior(); ++index) {
-      const auto& exponents = NetLayout::of(inner).exponents(index);
-      net.push_back(layout.index(exponents[0] + depth, exponents[1] + depth));
-    }
-  }
-  assert(static_cast<int>(net.size()) == layout.size());
-  return net;
-}
+std::vector<int> msh_net_order(int order) { return nested_net_order(order); }
 
 std::uint64_t TagRuns::tag_of(std::size_t index) const {
   const auto behind =

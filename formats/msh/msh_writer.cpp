@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "formats/msh/msh_field_writer.h"
 #include "formats/msh/msh_file.h"
 #include "formats/msh/msh_rows.h"
 #include "formats/picture/mesh_edges.h"
@@ -20,21 +21,6 @@ int type_of(MshElementType::Family family, int order) {
   int type = 1;
   while (msh_element_type(type).family != family || msh_element_type(type).order != order) ++type;
   return type;
-}
-
-/// The longest name in bytes: Gmsh reads no more. It also ends a name at a quote and at the end of the line.
-std::string quoted(std::string name) {
-  constexpr std::size_t longest = 127;
-  for (char& c : name) {
-    if (static_cast<unsigned char>(c) < ' ') c = ' ';
-    if (c == '"') c = '\'';
-  }
-  if (name.size() > longest) {
-    std::size_t end = longest;
-    while (end > 0 && (static_cast<unsigned char>(name[end]) & 0xc0) == 0x80) --end;  // leave no half character
-    name.resize(end);
-  }
-  return '"' + name + '"';
 }
 
 class Writer {
@@ -68,6 +54,12 @@ class Writer {
       write_nodes_2();
       write_elements_2();
     }
+    if (mesh_.fields.empty()) return;
+    std::vector<char> used(nodes_.size(), 0);
+    for (const auto* entities : {&points_, &curves_, &faces_})
+      for (const Entity& entity : *entities)
+        for (const PointId p : entity.nodes) used[index(p)] = 1;
+    write_msh_fields(mesh_, order_, used, rows_);
   }
 
  private:
@@ -175,7 +167,7 @@ class Writer {
     rows_.line("$PhysicalNames");
     rows_.line(std::to_string(names_.size()));
     for (const auto& [key, name] : names_)
-      rows_.line(std::to_string(key.first) + " " + std::to_string(key.second) + " " + quoted(name));
+      rows_.line(std::to_string(key.first) + " " + std::to_string(key.second) + " " + msh_quoted(name));
     rows_.line("$EndPhysicalNames");
   }
 

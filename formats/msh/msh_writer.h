@@ -12,10 +12,10 @@ struct MshWriteOptions {
   bool binary = false;
 };
 
-/// Appends the geometry of a mesh to `out`. Control points become Lagrange nodes; faces become surfaces and curves
-/// become curves, each in a physical group of its name; ends of open curves become points. Point p is node p + 1, and
-/// triangle t is element t + 1. Time, fields, criteria and knots have no place in the format. `read_msh` reads the same
-/// mesh back, to the rounding of its nodes, but for the numbering.
+/// Appends a mesh to `out`. Control points become Lagrange nodes; faces become surfaces and curves become curves, each
+/// in a physical group of its name; ends of open curves become points. Point p is node p + 1, and triangle t is element
+/// t + 1. Fields become views. Criteria and knots have no place in the format, nor has the time of a mesh without
+/// fields. `read_msh` reads the same mesh and fields back, to the rounding of values at nodes, but for the numbering.
 ///
 /// Requires    check_structure(mesh) to be empty; elements may be tangled
 /// Complexity  O(mesh)

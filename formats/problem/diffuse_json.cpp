@@ -13,8 +13,9 @@ ProblemMaterial read_material(DocumentReader& in) {
   ProblemMaterial material;
   in.object([&](std::string_view name) {
     if (name == "diffusivity") {
-      material.diffusivity =
-          in.kind() == DocumentReader::Kind::array ? read_expressions(in, 3, "a tensor is [xx, xy, yy]") : std::vector{read_expression(in)};
+      material.diffusivity = in.kind() == DocumentReader::Kind::array
+                                 ? read_expressions(in, 3, "a tensor is [xx, xy, yy]")
+                                 : std::vector{read_expression(in)};
     } else if (name == "capacity") {
       material.capacity = read_expression(in);
     } else if (name == "source") {

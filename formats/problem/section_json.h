@@ -5,9 +5,9 @@
 #include <utility>
 #include <vector>
 
-#include "formats/document/presence.h"
 #include "formats/document/document_reader.h"
 #include "formats/document/document_writer.h"
+#include "formats/document/presence.h"
 #include "formats/problem/problem_document.h"
 
 namespace pliant {

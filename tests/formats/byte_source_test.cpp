@@ -74,7 +74,8 @@ TEST_CASE("compressed bytes that are damaged or cut off are refused with the fil
       CHECK_THROWS_WITH(read(packed.substr(0, kept)), Catch::StartsWith("name: ") && Catch::Contains("ends early"));
     CHECK_THROWS_AS(read(packed + "rubbish"), InputError);
     std::string damaged = packed;
-    for (std::size_t k = packed.size() / 2; k < packed.size() / 2 + 40; ++k) damaged[k] = static_cast<char>(~damaged[k]);
+    for (std::size_t k = packed.size() / 2; k < packed.size() / 2 + 40; ++k)
+      damaged[k] = static_cast<char>(~damaged[k]);
     CHECK_THROWS_AS(read(damaged), InputError);
   }
 }

@@ -6,10 +6,10 @@
 #include <random>
 #include <string>
 
+#include "formats/document/cbor/read_cbor.h"
 #include "formats/document/document_reader.h"
 #include "formats/document/document_stream.h"
 #include "formats/document/mesh_document.h"
-#include "formats/document/cbor/read_cbor.h"
 
 using namespace pliant;
 using namespace std::string_literals;
@@ -71,7 +71,10 @@ TEST_CASE("JSON to CBOR to JSON gives the same bytes, and CBOR to JSON to CBOR t
   const std::string cbor = cbor_of(small);
   CHECK(json_of(cbor) == small);
   CHECK(cbor_of(cbor) == cbor);
-  CHECK(cbor.starts_with("\xBF\x66" "format\x6B" "pliant-mesh"));
+  CHECK(
+      cbor.starts_with("\xBF\x66"
+                       "format\x6B"
+                       "pliant-mesh"));
   CHECK(json_of("\xD9\xD9\xF7"s + cbor) == small);
 }
 

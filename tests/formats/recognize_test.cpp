@@ -18,11 +18,20 @@ TEST_CASE("a file of another kind is named with the tool that reads it", "[forma
   CHECK_THAT(says("{\"asset\":{\"version\":\"2.0\"}}", FileKind::svg), Contains("JSON") || Contains("glTF"));
   CHECK_THAT(says("glTF\2", FileKind::mesh), Contains("glTF"));
   CHECK_THAT(says("<VTKFile type='UnstructuredGrid'>", FileKind::mesh), Contains("VTK"));
-  CHECK_THAT(says("\xFD" "7zXZ", FileKind::mesh), Contains("xz -dc"));
+  CHECK_THAT(says("\xFD"
+                  "7zXZ",
+                  FileKind::mesh),
+             Contains("xz -dc"));
   CHECK_THAT(says("{\"tool\":\"refine\",\"frame\":0", FileKind::mesh), Contains("--report"));
   CHECK_THAT(says("{\"step\":1,\"part\":1,\"time\":0.1,\"dt\":0.1,", FileKind::mesh), Contains("log of evolve"));
-  CHECK_THAT(says("\xBF\x66" "format\x6Bpliant-mesh", FileKind::svg), Contains("this is a mesh"));
-  CHECK_THAT(says("\xA1\x61" "a\x01", FileKind::svg), Contains("CBOR"));
+  CHECK_THAT(says("\xBF\x66"
+                  "format\x6Bpliant-mesh",
+                  FileKind::svg),
+             Contains("this is a mesh"));
+  CHECK_THAT(says("\xA1\x61"
+                  "a\x01",
+                  FileKind::svg),
+             Contains("CBOR"));
   CHECK_THAT(says("<svg>", FileKind::mesh), Contains("import-svg makes a boundary of it, bspline2mesh a mesh of that"));
   CHECK_THAT(says("\x89PNG\r\n", FileKind::svg), Contains("pixels"));
   CHECK_THAT(says("\xFF\xFE{", FileKind::mesh), Contains("UTF-16"));

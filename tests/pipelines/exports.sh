@@ -52,7 +52,7 @@ same a.glb out
 run 0 export-gltf --no-binary a.json
 same a.gltf out
 # -v says what was written.
-for tool in export-svg export-msh export-gltf; do
+for tool in export-svg export-msh export-gltf export-vtu; do
   run 0 "$tool" -v disk.json
   says ' triangles, '
   says "$(wc -c <out) bytes"

@@ -144,12 +144,60 @@ if has_tool export-msh; then
   cp out last.msh
   run 0 export-msh disk.json
   same out last.msh
-  says 'left out'
   run 2 export-msh --frame 2 series.jsonl
   says 'has 2 meshes'
   no_output
   run 2 export-msh --format msh1 square.json
   run 0 export-msh -q tangled.json
   run 0 export-msh square.msh
+
+  # Fields and the time go along. Values at nodes of a quadratic polynomial give it back.
+  run 0 import-msh -q --time 0.5 --field u=x*y --field v=x,-y --field p@lower=3 square.msh -o fields.json
+  for format in msh41 msh22; do
+    for binary in '' --binary; do
+      run 0 export-msh --format $format $binary fields.json -o fields.msh
+      silent
+      run 0 import-msh fields.msh
+      silent
+      for text in '"time":0.5,' '"name":"u","components":1' '"name":"v","components":2' '"name":"p","components":1,"by_face":true'; do
+        grep -qF -- "$text" out || fail "no $text in the mesh that came back: $(head -c 2000 out)"
+      done
+      cp out again.json
+      run 0 export-msh --format $format $binary again.json -o fields.msh
+      run 0 import-msh --time 2 fields.msh
+      grep -qF '"time":2,' out || fail "--time is stronger than the file"
+      sed 's/"time":2,/"time":0.5,/' out >second.json
+      same second.json again.json
+    done
+  done
+  run 0 import-msh -q --field m=1,2,3,4 square.msh -o many.json
+  run 0 export-msh many.json
+  says 'export-msh: the field m has 4 components, and Gmsh knows 1, 3 and 9: each is written as a view of its own'
+  (($(grep -c '^\$NodeData' out) == 4)) || fail "four views"
 fi
+
+# Of several time steps one is read.
+steps() {
+  for k in 0 1 2; do
+    printf '$NodeData\n1\n"u"\n1\n%s.5\n3\n%s\n1\n9\n' $k $k
+    for node in 1 2 3 4 5 6 7 8 9; do echo "$node $k"; done
+    echo '$EndNodeData'
+  done
+}
+{ cat square.msh; steps; } >steps.msh
+run 0 import-msh steps.msh
+says 'import-msh: steps.msh: the view u has 3 time steps: the first is read, of time 0.5; import-msh --step takes another'
+grep -qF '"values":[0,0,' out || fail "the first step is the default"
+run 0 import-msh --step -1 steps.msh
+silent
+grep -qF '"values":[2,2,' out || fail "the last step is read"
+grep -qF '"time":2.5,' out || fail "its time is read"
+run 2 import-msh --step 3 steps.msh
+says 'steps.msh: the view u has 3 steps, and --step asks for step 3'
+no_output
+run 2 import-msh --step soon steps.msh
+sed 's/^5 1$/5 nan/' steps.msh >nan.msh
+run 0 import-msh -q nan.msh
+run 3 import-msh --step 1 nan.msh
+says 'import-msh: nan.msh: line 60: $NodeData, node 5: expected finite values up to 1e300'
 finish

@@ -98,7 +98,7 @@ cat >far.json <<'JSON'
  "triangles": [0, 1, 2], "triangle_faces": [0], "constrained_edges": [],
  "boundary": {"vertices": [], "faces": [{"name": "f"}], "curves": []}}
 JSON
-for tool in qualityreport flipdelaunay export-svg export-gltf export-msh; do
+for tool in qualityreport flipdelaunay export-svg export-gltf export-msh export-vtu; do
   has_tool "$tool" || continue
   run 3 "$tool" far.json
   says "2^510"

@@ -14,6 +14,7 @@
 #include "evolve/frame_output.h"
 #include "options/numbers.h"
 #include "run/exit_status.h"
+#include "run/history.h"
 #include "run/same_file.h"
 
 namespace pliant {
@@ -85,6 +86,7 @@ void EvolveCommand::add(CLI::App& app) {
   app.add_option("--log", options_.log, "write what each step did to this file, a line of JSON a step")
       ->type_name("FILE");
   app.add_option("--history", options_.history, "the same as a CSV table")->type_name("FILE");
+  add_history_flag(app, options_.tool, "--add-history");
   app.add_flag("--resume", options_.resumes, "go on from the last complete frame of the output");
   app.add_flag("--print-pipe", options_.prints_pipe, "print the shell loop that this command equals, and do nothing");
 }
@@ -163,6 +165,7 @@ EvolveOptions EvolveCommand::read(const CLI::App& app) {
   read_step(app);
   read_goals(app);
   read_frames(app);
+  if (app.count("--step") == 0) options_.tool.given.insert(options_.tool.given.begin(), options_.step_text);
   return options_;
 }
 

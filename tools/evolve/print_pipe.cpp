@@ -66,7 +66,8 @@ BEGIN {
 std::string pipe_of(const EvolveOptions& options, const Step& step) {
   if (options.courant > 0) throw UsageError("--print-pipe: no loop of tools chooses its steps as --cfl does");
   if (options.steady > 0) throw UsageError("--print-pipe: no loop of tools ends as --until-steady does");
-  if (options.tool.to == "cbor") throw UsageError("--print-pipe: the loop looks for times in JSON; leave out --to cbor");
+  if (options.tool.to == "cbor")
+    throw UsageError("--print-pipe: the loop looks for times in JSON; leave out --to cbor");
   const ScheduleOptions& schedule = options.schedule;
   std::string at;
   std::vector<double> times = schedule.at;
@@ -91,7 +92,8 @@ std::string pipe_of(const EvolveOptions& options, const Step& step) {
           " -v steps=" + (schedule.steps ? std::to_string(*schedule.steps) : "") +
           " -v every=" + std::to_string(schedule.every) + " -v at='" + at + "' '" + goals_in_awk + "'\n}\n\n";
   text += "# A mesh that is late passes through: written as the tools write.\n";
-  text += "advect --vx 0 --vy 0 --dt 1 --until=-1e308 --to json -- " + quoted(options.tool.input) + " > \"$work/state\"\n";
+  text +=
+      "advect --vx 0 --vy 0 --dt 1 --until=-1e308 --to json -- " + quoted(options.tool.input) + " > \"$work/state\"\n";
   if (to_file) text += ": > " + quoted(options.tool.output) + "\n";
   if (options.is_numbered()) text += "frames=0\n";
   text += add_frame + "\nwritten=1\nwhile read -r goal frame; do\n  parts=0\n";

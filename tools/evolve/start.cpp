@@ -11,6 +11,7 @@
 #include "pliant/mesh/documents/document_unit.h"
 #include "run/documents.h"
 #include "run/exit_status.h"
+#include "run/history.h"
 #include "run/in_unit.h"
 #include "run/require_mesh.h"
 
@@ -122,6 +123,7 @@ Start find_start(const EvolveOptions& options, const Step& step) {
   }
   Start start;
   start.mesh = read_input(options, start.form);
+  record(options.tool, start.mesh.extra);
   start.first_time = start.mesh.time;
   return start;
 }

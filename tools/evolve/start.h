@@ -14,12 +14,12 @@ namespace pliant {
 /// The mesh that a simulation begins with, or goes on from, which then is a frame that an earlier run has written.
 struct Start {
   DocumentForm form = DocumentForm::json;  ///< of the document that it was read from
-  MeshData mesh;             ///< checked, in its unit of length
-  double first_time = 0;     ///< of the first frame
-  bool is_resumed = false;   ///< the mesh is in the output already
-  bool is_past_end = false;  ///< the mesh is later than this run is to end, so that nothing is to be done
-  bool is_steady = false;    ///< the run before ended with this mesh, which changes no more than --until-steady allows
-  std::string text;          ///< of the document, if it is resumed
+  MeshData mesh;                           ///< checked, in its unit of length
+  double first_time = 0;                   ///< of the first frame
+  bool is_resumed = false;                 ///< the mesh is in the output already
+  bool is_past_end = false;                ///< the mesh is later than this run is to end, so that nothing is to be done
+  bool is_steady = false;  ///< the run before ended with this mesh, which changes no more than --until-steady allows
+  std::string text;        ///< of the document, if it is resumed
   std::unique_ptr<EarlierFrames> earlier;  ///< if it is resumed
   long kept = 0;                           ///< so many of the earlier frames stay
 };

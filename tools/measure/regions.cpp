@@ -7,7 +7,7 @@
 #include <limits>
 #include <numbers>
 
-#include "formats/document/flow_memory.h"
+#include "formats/problem/flow_memory.h"
 #include "formats/problem/names.h"
 #include "options/expression.h"
 #include "pliant/fem/measures/outline.h"

@@ -7,8 +7,8 @@
 
 namespace pliant {
 
-/// Is this argument of --flow a file? It is if it contains a "/", ends as documents do (.json, .cbor, .gz ...), or names a file that exists,
-/// unless the part before a ":" is the name of a flow.
+/// Is this argument of --flow a file? It is if it contains a "/", ends as documents do (.json, .cbor, .gz ...), or
+/// names a file that exists, unless the part before a ":" is the name of a flow.
 bool is_flow_file(const std::string& text);
 
 /// The index of a field of two components; `what` it is, for the error.

@@ -101,8 +101,7 @@ void ProblemOption::read_file() {
     const std::string other = describe_other_kind(text_, FileKind::problem);
     if (!other.empty()) throw Placed(status::bad_input, file_ + ": --problem wants a problem document; " + other);
     const std::string hint = e.pointer() == "/format" ? "; --problem wants a problem document" : "";
-    throw Placed(status::bad_input,
-                 line_of(file_, e.place()) + at_pointer(e.pointer(), e.what()) + hint);
+    throw Placed(status::bad_input, line_of(file_, e.place()) + at_pointer(e.pointer(), e.what()) + hint);
   }
   set_parameters(problem_);
   try {

@@ -7,9 +7,9 @@
 #include <new>
 #include <system_error>
 
+#include "formats/document/document_reader.h"
 #include "formats/document/document_stream.h"
 #include "formats/document/mesh_document.h"
-#include "formats/document/document_reader.h"
 #include "formats/msh/msh.h"
 #include "pliant/mesh/documents/document_unit.h"
 #include "run/doubts.h"

@@ -9,10 +9,10 @@ namespace pliant {
 
 /// One document of the input.
 struct Frame {
-  std::string source;  ///< the file's name, or "standard input"
-  long index = 0;      ///< number in the series, from 0
-  long line = 1;       ///< on which it starts
-  std::int64_t byte = 0;  ///< at which it starts, from 0
+  std::string source;                      ///< the file's name, or "standard input"
+  long index = 0;                          ///< number in the series, from 0
+  long line = 1;                           ///< on which it starts
+  std::int64_t byte = 0;                   ///< at which it starts, from 0
   DocumentForm form = DocumentForm::json;  ///< JSON for what is no document
 };
 

@@ -11,6 +11,7 @@
 #include "run/doubts.h"
 #include "run/exit_status.h"
 #include "run/frame_reports.h"
+#include "run/history.h"
 #include "run/in_unit.h"
 #include "run/output_file.h"
 #include "run/progress_line.h"
@@ -87,6 +88,7 @@ int run_filter(Stage& stage, int argc, char** argv) {
       seconds.emplace_back("pass", watch.lap());
       line.stage("write");
       data = mesh.to_data();
+      record(options, data.extra);
       const double unpacking = watch.lap();
       if (quality) {  // before the mesh may have its extreme size again
         line.stage("measure");

@@ -15,6 +15,7 @@
 #include "run/documents.h"
 #include "run/doubts.h"
 #include "run/exit_status.h"
+#include "run/history.h"
 
 namespace pliant {
 namespace {
@@ -54,6 +55,7 @@ int run_tool(CLI::App& app, int argc, char** argv, ToolOptions& options, const s
     app.exit(e);
     return std::fflush(stdout) == 0 && std::cout.flush() ? status::done : stop(status::io_failed, "cannot write");
   }
+  if (options.history) options.given = options_that_count(app);
   try {
     return body();
   } catch (const Placed& e) {

@@ -4,17 +4,20 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 
+#include "run/history.h"
 #include "run/progress_line.h"
 
 namespace pliant {
 
-void add_common_options(CLI::App& app, ToolOptions& options, bool with_report) {
+void add_common_options(CLI::App& app, ToolOptions& options, bool writes_documents) {
   options.tool = app.get_name();
   app.add_option("INPUT", options.input, "a file, or - for standard input")->capture_default_str();
   app.add_option("-o,--output", options.output, "write to this file, whole or not at all")->type_name("FILE");
-  if (with_report)
+  if (writes_documents) {
     app.add_option("--report", options.report, "write what was done to this file, a line of JSON a frame")
         ->type_name("FILE");
+    add_history_flag(app, options);
+  }
   auto* quiet =
       app.add_flag("-q,--quiet", options.quiet, "no progress, no summary, no warnings; errors are said all the same");
   app.add_flag("-v,--verbose", options.verbose, "say what was done")->excludes(quiet);

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "formats/document/document_form.h"
 
@@ -14,13 +15,15 @@ namespace pliant {
 
 /// The options that mean the same everywhere. "-" is standard input or output.
 struct ToolOptions {
-  std::string tool;          ///< the tool's name, for messages
-  std::string input = "-";   ///< [INPUT]
-  std::string output = "-";  ///< -o, --output
-  std::string report;        ///< --report; empty: none
-  bool quiet = false;        ///< -q, --quiet
-  bool verbose = false;      ///< -v, --verbose
-  std::string to;            ///< --to; empty: as the input
+  std::string tool;                ///< the tool's name, for messages
+  std::string input = "-";         ///< [INPUT]
+  std::string output = "-";        ///< -o, --output
+  std::string report;              ///< --report; empty: none
+  bool quiet = false;              ///< -q, --quiet
+  bool verbose = false;            ///< -v, --verbose
+  bool history = false;            ///< --history
+  std::vector<std::string> given;  ///< with --history, the options that decide the result
+  std::string to;                  ///< --to; empty: as the input
 
   /// The form of the documents that are written, if those that are read have this form.
   DocumentForm output_form(DocumentForm as_input) const {
@@ -29,8 +32,8 @@ struct ToolOptions {
   }
 };
 
-/// Adds [INPUT], -o, -q, -v, --version and (unless `with_report` is false) --report.
-void add_common_options(CLI::App& app, ToolOptions& options, bool with_report = true);
+/// Adds [INPUT], -o, -q, -v, --version and, for tools that write documents, --report and --history.
+void add_common_options(CLI::App& app, ToolOptions& options, bool writes_documents = true);
 
 /// Adds --to, for tools that write documents.
 void add_form_option(CLI::App& app, ToolOptions& options);

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <utility>
 
-#include "formats/document/flow_memory.h"
+#include "formats/problem/flow_memory.h"
 #include "pliant/boundary/fault.h"
 #include "pliant/fem/error_norms.h"
 #include "pliant/geometry/index.h"

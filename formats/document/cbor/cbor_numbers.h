@@ -28,10 +28,9 @@ struct HalfFloat {};
 /// Numbers of one type in the bytes of a typed array.
 template <class T, bool is_little>
 struct TypedNumbers {
-  using Bits = std::conditional_t<
-      std::is_same_v<T, HalfFloat> || sizeof(T) == 2, std::uint16_t,
-      std::conditional_t<sizeof(T) == 1, std::uint8_t,
-                         std::conditional_t<sizeof(T) == 4, std::uint32_t, std::uint64_t>>>;
+  using Bits = std::conditional_t<std::is_same_v<T, HalfFloat> || sizeof(T) == 2, std::uint16_t,
+                                  std::conditional_t<sizeof(T) == 1, std::uint8_t,
+                                                     std::conditional_t<sizeof(T) == 4, std::uint32_t, std::uint64_t>>>;
   static constexpr std::size_t width = sizeof(Bits);
   static constexpr bool is_float = std::is_same_v<T, HalfFloat> || std::is_floating_point_v<T>;
   using Value = std::conditional_t<std::is_same_v<T, HalfFloat>, double, T>;
@@ -111,7 +110,8 @@ bool fits(Value value) {
       return true;
   } else {
     if constexpr (std::is_floating_point_v<Value>)
-      return std::abs(static_cast<double>(value)) <= std::numeric_limits<std::int32_t>::max() && value == std::floor(value);
+      return std::abs(static_cast<double>(value)) <= std::numeric_limits<std::int32_t>::max() &&
+             value == std::floor(value);
     else
       return value <= static_cast<std::int64_t>(std::numeric_limits<std::int32_t>::max()) &&
              static_cast<std::int64_t>(value) >= -static_cast<std::int64_t>(std::numeric_limits<std::int32_t>::max());
@@ -119,7 +119,8 @@ bool fits(Value value) {
 }
 template <class Scalar>
 bool fits(std::uint64_t value) {
-  return std::is_same_v<Scalar, double> || value <= static_cast<std::uint64_t>(std::numeric_limits<std::int32_t>::max());
+  return std::is_same_v<Scalar, double> ||
+         value <= static_cast<std::uint64_t>(std::numeric_limits<std::int32_t>::max());
 }
 
 }  // namespace pliant

@@ -97,7 +97,8 @@ CborReader::Typed CborReader::take_typed(const char* what) {
   if (bytes.major != byte_string) fault("should be the byte string of a typed array, " + found());
   at_ += bytes.size;
   const auto take = [&](std::uint64_t size) {
-    if (size > static_cast<std::uint64_t>(end_ - at_)) fault("the numbers of a typed array should go on, but the document ends");
+    if (size > static_cast<std::uint64_t>(end_ - at_))
+      fault("the numbers of a typed array should go on, but the document ends");
     const std::string_view piece(at_, size);
     at_ += size;
     return piece;

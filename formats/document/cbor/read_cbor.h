@@ -70,7 +70,7 @@ class CborReader final : public DocumentReader {
   const char* begin_;
   const char* end_;
   const char* at_;
-  int element_ = 0;                // the tag of the typed array whose number stands here
+  int element_ = 0;                  // the tag of the typed array whose number stands here
   const char* joined_at_ = nullptr;  // where the chunks stand of the typed array that is read from a copy
   std::deque<std::string> copies_;   // of what stands in chunks
 };

@@ -40,4 +40,22 @@ const NetLayout& NetLayout::of(int degree) {
   return all[static_cast<std::size_t>(degree)];
 }
 
+std::vector<int> nested_net_order(int degree) {
+  const NetLayout& layout = NetLayout::of(degree);
+  std::vector<int> net;
+  // The inner entries form a net of degree `inner`; all their exponents are at least `depth`.
+  for (int inner = degree, depth = 0; inner >= 0; inner -= 3, ++depth) {
+    if (inner == 0) {
+      net.push_back(layout.index(depth, depth));
+      break;
+    }
+    for (int index = 0; index < NetLayout::of(inner).first_interior(); ++index) {
+      const auto& exponents = NetLayout::of(inner).exponents(index);
+      net.push_back(layout.index(exponents[0] + depth, exponents[1] + depth));
+    }
+  }
+  assert(static_cast<int>(net.size()) == layout.size());
+  return net;
+}
+
 }  // namespace pliant

@@ -48,4 +48,8 @@ class NetLayout {
   std::vector<double> multinomial_;
 };
 
+/// The entries of a net in the order of Gmsh's and VTK's nodes, each as its index in NetLayout: corners, the points of
+/// edges 12, 23 and 31, and then the inner ones as a net of degree - 3 in this same order.   Requires    degree >= 1
+std::vector<int> nested_net_order(int degree);
+
 }  // namespace pliant

@@ -96,15 +96,25 @@ double unit_factor(Unit unit, double factor) {
   return unit == Unit::length ? factor : 1;
 }
 
-std::vector<double> element_values(const MeshData& data, const Metric& metric) {
+void for_each_element(const MeshData& data, std::span<const Metric* const> metrics,
+                      const std::function<void(TriangleId, Validity, std::span<const double>)>& take) {
   std::vector<TriangleId> elements(data.triangle_faces.size());
   std::iota(elements.begin(), elements.end(), 0);
-  std::vector<double> values;
-  values.reserve(elements.size());
+  std::vector<double> values(metrics.size());
   measure_elements(data, elements, QualityOptions().jacobian_width,
-                   [&](std::size_t, std::span<const ElementMeasures> measures) {
-                     for (const ElementMeasures& of_element : measures) values.push_back(of_element.*metric.value);
+                   [&](std::size_t first, std::span<const ElementMeasures> measures) {
+                     for (const ElementMeasures& of_element : measures) {
+                       for (std::size_t m = 0; m < metrics.size(); ++m) values[m] = of_element.*metrics[m]->value;
+                       take(elements[first++], of_element.validity, values);
+                     }
                    });
+}
+
+std::vector<double> element_values(const MeshData& data, const Metric& metric) {
+  std::vector<double> values;
+  values.reserve(data.triangle_faces.size());
+  for_each_element(data, std::array{&metric},
+                   [&](TriangleId, Validity, std::span<const double> value) { values.push_back(value[0]); });
   return values;
 }
 

@@ -1,9 +1,11 @@
 // lib/pliant/quality/metrics.h: the one table of metrics for reports, conditions, tables, pages and pictures.
 #pragma once
+#include <functional>
 #include <span>
 #include <string_view>
 #include <vector>
 
+#include "pliant/geometry/validity/validity.h"
 #include "pliant/mesh/mesh_data.h"
 
 namespace pliant {
@@ -48,5 +50,12 @@ double unit_factor(Metric::Unit unit, double factor);
 ///
 /// Requires    check_arrays(data) to be empty
 std::vector<double> element_values(const MeshData& data, const Metric& metric);
+
+/// Calls `take` for each element in order, with its certificate and its values of these metrics in their order; NaN
+/// where there is none.
+///
+/// Requires    check_arrays(data) to be empty
+void for_each_element(const MeshData& data, std::span<const Metric* const> metrics,
+                      const std::function<void(TriangleId, Validity, std::span<const double>)>& take);
 
 }  // namespace pliant

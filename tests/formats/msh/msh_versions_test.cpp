@@ -1,11 +1,11 @@
-// tests/formats/msh_versions_test.cpp: a mesh is read the same from all versions of MSH files, with sections in any
+// tests/formats/msh/msh_versions_test.cpp: a mesh is read the same from all versions of MSH files, with sections in any
 // order.
 #include <catch2/catch.hpp>
 
 #include "formats/document/mesh_document.h"
 #include "formats/msh/msh.h"
 #include "support/sample_meshes.h"
-#include "tests/formats/msh_sample.h"
+#include "tests/formats/msh/msh_sample.h"
 
 using namespace pliant;
 using namespace pliant::samples;

@@ -1,12 +1,13 @@
-// tests/formats/msh_bad_test.cpp: files that are not MSH, or break its rules, are refused with the place.
+// tests/formats/msh/msh_bad_test.cpp: files that are not MSH, or break its rules, are refused with the place.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <random>
 
 #include "formats/msh/msh.h"
+#include "formats/msh/msh_writer.h"
 #include "pliant/mesh/check_mesh.h"
 #include "support/sample_meshes.h"
-#include "tests/formats/msh_sample.h"
+#include "tests/formats/msh/msh_sample.h"
 
 using namespace pliant;
 using namespace pliant::samples;
@@ -38,6 +39,42 @@ MshSample small_sample() {
   sample.names = {{2, 20, "cell"}, {1, 10, "rim"}};
   sample.tail = "$Periodic\n0\n$EndPeriodic\n$NodeData\n1\n\"view\"\n0\n0\n$EndNodeData\n";
   return sample;
+}
+
+/// `good` with one to four random changes: of bytes, bits, numbers, lengths.
+std::string mutated(const std::string& good, std::mt19937_64& random) {
+  const auto below = [&random](std::size_t n) { return static_cast<std::size_t>(random() % n); };
+  std::string bad = good;
+  for (std::size_t times = 1 + below(4); times > 0; --times) {
+    const std::size_t place = below(bad.size());
+    switch (below(7)) {
+      case 0:
+        bad[place] = static_cast<char>(random());
+        break;
+      case 1:
+        bad[place] = static_cast<char>(bad[place] ^ (1 << below(8)));
+        break;
+      case 2:
+        bad.resize(place + 1);
+        break;
+      case 3:
+        bad.erase(place, 1 + below(9));
+        break;
+      case 4:
+        bad.insert(place, bad.substr(below(bad.size()), 1 + below(40)));
+        break;
+      case 5:
+        bad[place] = "0123456789-.e \n$"[below(16)];
+        break;
+      default: {  // a number in place of a number
+        static const std::vector<std::string> numbers = {"0",     "-1",  "1", "2147483648", "18446744073709551615",
+                                                         "1e308", "nan", "3", "9",          "15"};
+        const std::size_t digit = bad.find_first_of("0123456789", place);
+        if (digit != std::string::npos) bad.replace(digit, 1, numbers[below(numbers.size())]);
+      }
+    }
+  }
+  return bad;
 }
 
 }  // namespace
@@ -143,41 +180,11 @@ TEST_CASE("whatever is done to an MSH file, it is a mesh with well-formed arrays
   sample.elements.push_back({3, 77, 0, 1, {1, 2, 3, 4}});
   if (degree == 4) sample.elements.push_back({2, 78, 0, 1, {1, 2, 3}});
   std::mt19937_64 random(static_cast<std::uint64_t>(degree));
-  const auto below = [&random](std::size_t n) { return static_cast<std::size_t>(random() % n); };
   int refused = 0, taken = 0;
   for (const MshKind& kind : msh_kinds) {
     const std::string good = write_msh(sample, kind);
     for (int k = 0; k < 1200; ++k) {
-      std::string bad = good;
-      for (std::size_t times = 1 + below(4); times > 0; --times) {
-        const std::size_t place = below(bad.size());
-        switch (below(7)) {
-          case 0:
-            bad[place] = static_cast<char>(random());
-            break;
-          case 1:
-            bad[place] = static_cast<char>(bad[place] ^ (1 << below(8)));
-            break;
-          case 2:
-            bad.resize(place + 1);
-            break;
-          case 3:
-            bad.erase(place, 1 + below(9));
-            break;
-          case 4:
-            bad.insert(place, bad.substr(below(bad.size()), 1 + below(40)));
-            break;
-          case 5:
-            bad[place] = "0123456789-.e \n$"[below(16)];
-            break;
-          default: {  // a number in place of a number
-            static const std::vector<std::string> numbers = {"0",     "-1",  "1", "2147483648", "18446744073709551615",
-                                                             "1e308", "nan", "3", "9",          "15"};
-            const std::size_t digit = bad.find_first_of("0123456789", place);
-            if (digit != std::string::npos) bad.replace(digit, 1, numbers[below(numbers.size())]);
-          }
-        }
-      }
+      const std::string bad = mutated(good, random);
       for (const bool orient : {false, true}) try {
           const MshImport import = read_msh(bad, {orient});
           const std::vector<Fault> faults = check_arrays(import.mesh);
@@ -191,5 +198,53 @@ TEST_CASE("whatever is done to an MSH file, it is a mesh with well-formed arrays
     }
   }
   CHECK(taken > 500);
+  CHECK(refused > 500);
+}
+
+TEST_CASE("whatever is done to an MSH file with views, its fields are well-formed or it is bad input", "[msh]") {
+  const int degree = GENERATE(1, 2, 3);
+  MeshData mesh = disk(degree, 3);
+  Field u;
+  u.name = "u";
+  for (std::size_t p = 0; p < mesh.points.size(); ++p) u.values.push_back(double(p) / 3);
+  Field v = u;
+  v.name = "v";
+  v.by_face = true;
+  for (std::size_t p = 0; p < mesh.points.size(); ++p) v.places.push_back({static_cast<std::int32_t>(p), 0});
+  mesh.fields = {u, v};
+  std::mt19937_64 random(static_cast<std::uint64_t>(degree));
+  int refused = 0, taken = 0, left_out = 0;
+  for (const auto version : {MshWriteOptions::Version::v4_1, MshWriteOptions::Version::v2_2})
+    for (const bool binary : {false, true}) {
+      std::string good;
+      write_msh(mesh, {version, binary}, good);
+      const std::size_t data = good.find("$NodeData");
+      // A second step, and a scheme: the Lagrange basis of order 1.
+      std::string tail = good.substr(data);
+      tail.replace(tail.find("\"u\""), 3, "\"w\"");
+      tail +=
+          "$InterpolationScheme\n\"s\"\n1\n3\n2\n3 3\n1 -1 -1\n0 1 0\n0 0 1\n3 2\n0 0\n1 0\n0 "
+          "1\n$EndInterpolationScheme\n";
+      if (!binary)
+        tail +=
+            "$ElementNodeData\n2\n\"x\"\n\"s\"\n0\n3\n0\n1\n3\n1 3 1 2 3\n2 3 1 3 4\n3 3 1 4 2\n$EndElementNodeData\n";
+      const std::string head = good.substr(0, data), views = good.substr(data) + tail;
+      for (int k = 0; k < 1500; ++k) {
+        const std::string bad = k % 4 == 0 ? mutated(head + views, random) : head + mutated(views, random);
+        try {
+          const MshImport import = read_msh(bad, {k % 2 == 0, k % 3 == 0 ? std::optional(-1) : std::nullopt});
+          const std::vector<Fault> faults = check_arrays(import.mesh);
+          if (!faults.empty()) FAIL_CHECK(faults.front().place << ": " << faults.front().text);
+          (void)check_structure(import.mesh, 3);
+          ++taken;
+          left_out += import.mesh.fields.size() < 4;
+        } catch (const InputError& e) {
+          if (std::string(e.what()).empty()) FAIL_CHECK("a refusal without a word");
+          ++refused;
+        }
+      }
+    }
+  CHECK(taken > 500);
+  CHECK(left_out > 100);
   CHECK(refused > 500);
 }

@@ -1,5 +1,5 @@
-// formats/document/flow_memory.cpp: reads and writes the member `navierstokes`.
-#include "formats/document/flow_memory.h"
+// formats/problem/flow_memory.cpp: reads and writes the member `navierstokes`.
+#include "formats/problem/flow_memory.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-// tests/formats/msh_writer_test.cpp: a mesh that is written as MSH and read again is the same mesh.
+// tests/formats/msh/msh_writer_test.cpp: a mesh that is written as MSH and read again is the same mesh.
 #include "formats/msh/msh_writer.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// formats/document/flow_memory.h: what a flow's step leaves in the mesh document beside fields: its member
+// formats/problem/flow_memory.h: what a flow's step leaves in the mesh document beside fields: its member
 // `navierstokes`.
 #pragma once
 #include <map>

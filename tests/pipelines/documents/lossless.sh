@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # A mesh that goes through pipes stays the same byte for byte.
-. "${BASH_SOURCE%/*}/common.bash"
+. "${BASH_SOURCE%/*}/../common.bash"
 
 for degree in 1 2 3 4 5; do
   sample_mesh three "$degree" >in.json

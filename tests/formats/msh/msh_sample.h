@@ -1,4 +1,4 @@
-// tests/formats/msh_sample.h: a small writer of MSH files, of every kind that is read.
+// tests/formats/msh/msh_sample.h: a small writer of MSH files, of every kind that is read.
 #pragma once
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-// tests/formats/msh_test.cpp: MSH files of every kind are read as the meshes that they describe.
+// tests/formats/msh/msh_test.cpp: MSH files of every kind are read as the meshes that they describe.
 #include "formats/msh/msh.h"
 
 #include <catch2/catch.hpp>
@@ -7,7 +7,7 @@
 #include "pliant/geometry/index.h"
 #include "pliant/mesh/check_mesh.h"
 #include "support/sample_meshes.h"
-#include "tests/formats/msh_sample.h"
+#include "tests/formats/msh/msh_sample.h"
 
 using namespace pliant;
 using namespace pliant::samples;
@@ -252,13 +252,13 @@ TEST_CASE("what is no triangle or line is counted and named", "[msh]") {
     sample.elements.push_back({20, 5, 0, 1, {1, 2, 3, 4, 5, 6, 7, 8, 9}});
     sample.elements.push_back({15, 6, 0, 1, {1}});
     sample.elements.push_back({8, 7, 0, 9, {1, 3, 9}});
-    sample.tail = "$Comments\nanything\n$EndComments\n$NodeData\n1\n\"a view\"\n$EndNodeData\n$Mine\n$EndMine\n";
+    sample.tail = "$Comments\nanything\n$EndComments\n$NodeStates\n1\n$EndNodeStates\n$Mine\n$EndMine\n";
     const MshImport import = read_msh(write_msh(sample, kind));
     CHECK(import.warnings ==
           std::vector<std::string>{"1 line element lies neither on the boundary nor between two faces, and is left out",
                                    "2 quadrangles of 4 nodes (type 3) are left out",
                                    "1 triangle without all their inner nodes (type 20) is left out",
-                                   "not read: $NodeData, $Mine"});
+                                   "not read: $NodeStates, $Mine"});
     CHECK(import.notes == std::vector<std::string>{"1 point (type 15) is left out"});
     CHECK(import.mesh.triangle_faces.size() == 2);
   }
