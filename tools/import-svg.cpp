@@ -1,9 +1,12 @@
 // tools/import-svg.cpp: reads the filled shapes of a drawing as a boundary.
 #include <CLI/CLI.hpp>
+#include <array>
 #include <cerrno>
 #include <cstdio>
 #include <memory>
+#include <string_view>
 #include <system_error>
+#include <utility>
 
 #include "formats/document/mesh_json.h"
 #include "formats/document/recognize.h"
@@ -66,7 +69,7 @@ PassReport summarize(const SvgImport& import) {
   report.add("sliver_area", import.sliver_area);
   count("covered", import.covered);
   report.notes = import.warnings;
-  report.notes.insert(report.notes.end(), import.notes.begin(), import.notes.end());
+  report.notes.insert(report.notes.end(), import.costs.begin(), import.costs.end());
   return report;
 }
 
@@ -86,13 +89,24 @@ int parse_degree(const std::string& text) {
   return static_cast<int>(degree);
 }
 
+LengthUnit parse_unit(const std::string& text) {
+  static constexpr std::array<std::pair<std::string_view, LengthUnit>, 5> units{{{"", LengthUnit::user},
+                                                                                 {"mm", LengthUnit::mm},
+                                                                                 {"cm", LengthUnit::cm},
+                                                                                 {"in", LengthUnit::in},
+                                                                                 {"px", LengthUnit::px}}};
+  for (const auto& [name, unit] : units)
+    if (name == text) return unit;
+  throw UsageError("--unit: '" + text + "' is none of mm, cm, in, px");
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   CLI::App app{"Read the filled shapes of an SVG drawing as a boundary of B-splines.", "import-svg"};
   ToolOptions options;
   SvgReadOptions svg;
-  std::string degree = "2", tolerance = "1e-6";
+  std::string degree = "2", tolerance = "1e-6", unit;
   add_common_options(app, options);
   app.add_option("--degree", degree, "of the curves: 2, or 3, which takes cubic curves exactly")
       ->type_name("N")
@@ -101,6 +115,9 @@ int main(int argc, char** argv) {
                  "of cubic curves and arcs that are fitted, and of what meets, as a part of the drawing's size")
       ->type_name("T")
       ->capture_default_str();
+  app.add_option("--unit", unit,
+                 "mm, cm, in or px: coordinates are lengths on the page; without it they are user units")
+      ->type_name("UNIT");
   app.add_flag("--planar", svg.planar, "take shapes that meet; each face is what is seen of its shape");
   return run_tool(app, argc, argv, options, [&] {
     constexpr double least_tolerance = 1e-12;
@@ -108,7 +125,7 @@ int main(int argc, char** argv) {
     svg.tolerance = parse_positive("--tolerance", tolerance);
     if (svg.tolerance < least_tolerance || svg.tolerance > 1)
       throw UsageError("--tolerance: '" + tolerance + "' is not between 1e-12 and 1");
-    svg.compares = options.verbose || !options.report.empty();
+    svg.unit = parse_unit(unit);
     OutputFile output(options.output);
     FrameReports reports(options);
     Stopwatch watch;
@@ -122,8 +139,10 @@ int main(int argc, char** argv) {
       const std::string other = describe_other_kind(bytes, FileKind::svg);
       throw InputError("", other.empty() ? with_file(frame.source, e) : frame.source + ": " + other);
     }
-    if (!options.verbose)  // else they are notes of the report
+    if (!options.verbose) {  // else they are notes of the report
       for (const std::string& warning : import.warnings) say(options, frame.source + ": " + warning);
+      for (const std::string& cost : import.costs) say(options, frame.source + ": " + cost);
+    }
     const double read = watch.lap();
     record(options, import.boundary.extra);
     std::string text;

@@ -21,15 +21,33 @@ const std::unordered_set<std::string_view> silent{
     "marker",        "pattern", "filter",    "linearGradient", "radialGradient", "solidColor",  "view",     "cursor",
     "color-profile", "font",    "font-face", "script",         "hatch",          "meshgradient"};
 
+/// A px in the unit.
+double length_of_px(LengthUnit unit) {
+  constexpr double px_in_an_inch = 96;
+  switch (unit) {
+    case LengthUnit::in:
+      return 1 / px_in_an_inch;
+    case LengthUnit::cm:
+      return 2.54 / px_in_an_inch;
+    case LengthUnit::mm:
+      return 25.4 / px_in_an_inch;
+    case LengthUnit::px:
+    case LengthUnit::user:
+      break;
+  }
+  return 1;
+}
+
 class Walker {
  public:
-  explicit Walker(const ElementTree& tree)
-      : tree_(tree), sheets_(tree), names_(tree), in_use_(static_cast<std::size_t>(tree.size())) {}
+  Walker(const ElementTree& tree, LengthUnit unit)
+      : tree_(tree), unit_(unit), sheets_(tree), names_(tree), in_use_(static_cast<std::size_t>(tree.size())) {}
 
   Scene walk() {
     Context context;
     context.viewport = root_viewport(tree_[0], Viewport::medium);
-    context.map = {1, 0, 0, -1, 0, 0};  // y of the result points upwards
+    const double px = length_of_px(unit_);
+    context.map = {px, 0, 0, -px, 0, 0};  // y of the result points upwards
     visit(0, context);
     if (tree_.names_sheets()) notices_.add("style sheets of other files are not read", 1);
     for (const auto& [what, times] : sheets_.unread()) notices_.add(what + " are not read", times);
@@ -93,8 +111,9 @@ class Walker {
     }
   }
 
-  /// Visits the root element, whose user units are those of the result.
-  void visit_root(const Element& root, const Declarations& declared, const Context& context) {
+  /// Visits the root element. Without --unit its user units are those of the result.
+  void visit_root(const Element& root, const Declarations& declared, Context context) {
+    if (unit_ != LengthUnit::user) context.map = context.map * page_map(root, context.viewport);
     const std::size_t first = scene_.shapes.size();
     visit_children(root, context);
     const ViewBox page = view_box_of(root).value_or(ViewBox{0, 0, context.viewport.width, context.viewport.height});
@@ -306,6 +325,7 @@ class Walker {
   }
 
   const ElementTree& tree_;
+  LengthUnit unit_;
   StyleSheets sheets_;
   ShapeNames names_;
   Scene scene_;
@@ -318,6 +338,6 @@ class Walker {
 
 }  // namespace
 
-Scene read_scene(const ElementTree& tree) { return Walker(tree).walk(); }
+Scene read_scene(const ElementTree& tree, LengthUnit unit) { return Walker(tree, unit).walk(); }
 
 }  // namespace pliant::svg

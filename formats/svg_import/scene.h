@@ -5,6 +5,7 @@
 
 #include "formats/svg_import/areas/outline.h"
 #include "formats/svg_import/element_tree.h"
+#include "formats/svg_import/svg_reader.h"
 
 namespace pliant::svg {
 
@@ -17,7 +18,7 @@ struct Shape {
   std::string name;  ///< id of the element or of the `use` that shows it, else its kind and number; no two alike
   long line = 0;     ///< of its element in the document
   bool even_odd = false;
-  Outline outline;  ///< in the root's user units, y upwards
+  Outline outline;  ///< in the units of the result, y upwards
 };
 
 struct Scene {
@@ -28,6 +29,6 @@ struct Scene {
 
 /// Walks the document in the order in which it is painted, and collects what it fills.
 /// Throws      InputError with the element's line and column: bad attributes, `use` that contains itself, limits
-Scene read_scene(const ElementTree& tree);
+Scene read_scene(const ElementTree& tree, LengthUnit unit = LengthUnit::user);
 
 }  // namespace pliant::svg

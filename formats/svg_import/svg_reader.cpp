@@ -64,7 +64,7 @@ class Drawing {
     loop_options.degree = options.degree;
     loop_options.size = import.size;
     loop_options.tolerance = options.tolerance * import.size;
-    LoopCounts counts;
+    LoopCounts& counts = counts_;
     all_.reserve(shapes.size());
     for (const Shape& shape : shapes) all_.push_back(make_loops(shape.outline, loop_options, counts));
     for (std::size_t s = 0; s < shapes.size(); ++s)
@@ -78,6 +78,7 @@ class Drawing {
   }
 
   bool empty() const { return loops_.empty(); }
+  const LoopCounts& counts() const { return counts_; }
 
   /// The boundary of shapes that are apart: the faces that their loops separate.
   /// Throws      InputError for shapes that meet
@@ -201,6 +202,7 @@ class Drawing {
   const std::vector<Shape>& shapes_;
   SvgImport& import_;
   double tolerance_;  // as a part of the drawing's size
+  LoopCounts counts_;
   std::vector<std::vector<Loop>> all_;
   std::vector<ShapeLoop> loops_;
   std::size_t next_loop_ = 0;
@@ -210,37 +212,55 @@ class Drawing {
 
 namespace {
 
-long count_pieces(const std::vector<Shape>& shapes, int degree, double tolerance, double size) {
+LoopCounts count_pieces(const std::vector<Shape>& shapes, int degree, double tolerance, double size) {
   LoopOptions options;
   options.degree = degree;
   options.size = size;
   options.tolerance = tolerance * size;
   LoopCounts counts;
   for (const Shape& shape : shapes) make_loops(shape.outline, options, counts);
-  return counts.pieces;
+  return counts;
 }
 
-/// Notes how many pieces the tolerance costs: many small elements are often the price of one that nobody needs.
-void note_cost(const std::vector<Shape>& shapes, const SvgReadOptions& options, SvgImport& import) {
-  if (import.fitted == 0) return;
+/// "60 cubic curves and arcs"
+std::string describe_curves(const LoopCounts& counts) {
+  const std::string number = std::to_string(counts.curves);
+  if (counts.arcs == 0) return number + (counts.curves == 1 ? " cubic curve" : " cubic curves");
+  if (counts.arcs == counts.curves) return number + (counts.curves == 1 ? " arc" : " arcs");
+  return number + " cubic curves and arcs";
+}
+
+/// Notes what the tolerance costs where it multiplies the curves: many small elements are often the price of one that
+/// nobody needs.
+void note_cost(const std::vector<Shape>& shapes, const SvgReadOptions& options, const LoopCounts& counts,
+               SvgImport& import) {
+  constexpr long worth_a_word = 3;  // spans for each curve
   constexpr double looser = 100;
-  const int other = options.degree == 2 ? 3 : 2;
+  if (counts.fitted < worth_a_word * counts.curves || counts.curves == 0) return;
   const double tolerance = std::min(1.0, looser * options.tolerance);
-  std::array<char, 256> text{};
-  std::snprintf(text.data(), text.size(),
-                "%ld of %ld pieces are fitted to within %.3g of the size; --degree %d would take %ld pieces in all, "
-                "--tolerance %.3g %ld",
-                import.fitted, import.pieces, options.tolerance, other,
-                count_pieces(shapes, other, options.tolerance, import.size), tolerance,
-                count_pieces(shapes, options.degree, tolerance, import.size));
-  import.notes.emplace_back(text.data());
+  std::array<char, 32> now{}, then{};
+  std::snprintf(now.data(), now.size(), "%.3g", options.tolerance);
+  std::snprintf(then.data(), then.size(), "%.3g", tolerance);
+  std::string text = std::string("tolerance ") + now.data() + " made " + std::to_string(counts.fitted) + " spans of " +
+                     describe_curves(counts) + "; ";
+  if (options.degree == 2) {
+    const LoopCounts cubic = count_pieces(shapes, 3, options.tolerance, import.size);
+    text += cubic.fitted == 0 ? "--degree 3 keeps them exactly"
+                              : "--degree 3 takes " + std::to_string(cubic.pieces) + " instead of " +
+                                    std::to_string(counts.pieces) + " spans in all";
+    text += ", ";
+  }
+  const LoopCounts loose = count_pieces(shapes, options.degree, tolerance, import.size);
+  text += std::string("--tolerance ") + then.data() + (options.degree == 2 ? " " : " takes ") +
+          std::to_string(loose.pieces) + " spans in all";
+  import.costs.push_back(std::move(text));
 }
 
 }  // namespace
 
 SvgImport read_svg(std::string_view bytes, const SvgReadOptions& options) {
   SvgImport import;
-  const Scene scene = read_scene(ElementTree(bytes));
+  const Scene scene = read_scene(ElementTree(bytes), options.unit);
   import.warnings = scene.warnings;
   import.shapes = static_cast<long>(scene.shapes.size());
   import.unfilled = scene.unfilled;
@@ -254,7 +274,7 @@ SvgImport read_svg(std::string_view bytes, const SvgReadOptions& options) {
                              (import.shapes == 1 ? "" : "s") + " without an interior, " +
                              std::to_string(import.unfilled) + " without a fill, " + std::to_string(import.hidden) +
                              " hidden");
-  if (options.compares) note_cost(scene.shapes, options, import);
+  note_cost(scene.shapes, options, drawing.counts(), import);
   if (options.planar)
     drawing.arrange_boundary();
   else

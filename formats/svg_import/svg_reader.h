@@ -9,12 +9,15 @@
 
 namespace pliant {
 
+/// What coordinates of the result count: user units of the drawing's root, or lengths on its page.
+enum class LengthUnit { user, px, mm, cm, in };
+
 struct SvgReadOptions {
   int degree = 2;           ///< highest degree of the curves, 2 or 3; cubics are exact at 3
   double tolerance = 1e-6;  ///< how far fitted cubics and arcs may be off, as a part of the drawing's size; with
                             ///< `planar` curves closer than this run together
   bool planar = false;      ///< shapes may meet: each gives way to those painted after it (arrange)
-  bool compares = false;    ///< say in `notes` how many pieces another degree and a looser tolerance would take
+  LengthUnit unit = LengthUnit::user;  ///< of the result's coordinates
 };
 
 struct SvgImport {
@@ -26,7 +29,7 @@ struct SvgImport {
   long no_border = 0;                 ///< loops left out: the same shape on both sides
   long pieces = 0, fitted = 0;        ///< Bézier pieces, and those of them that are not exact
   long smooth = 0, corners = 0;       ///< joins of pieces: simple knots or corners
-  std::vector<std::string> notes;     ///< what the degree and the tolerance cost, if `compares`
+  std::vector<std::string> costs;     ///< a sentence where fitting multiplies the curves: what would take fewer pieces
   long intersections = 0;             ///< of a planar drawing: places where curves meet
   double snapped = 0;                 ///< length: curves closer than this run together
   long slivers = 0;                   ///< pieces of curves that were merged with one beside them

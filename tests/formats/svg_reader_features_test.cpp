@@ -258,12 +258,11 @@ TEST_CASE("a looser tolerance never takes more pieces, and a note tells what ano
   const std::string drawing =
       "<path d='M20 50C34 10 76 8 102 22 94 52 52 70 20 50z'/><path d='M10 90C90 190 60 -90 90 95z'/>"
       "<ellipse cx='160' cy='48' rx='40' ry='13'/><path d='M0 200a30 50 -30 0 1 50 -25q9 40-10 70z'/>";
-  const auto pieces = [&](double tolerance, int degree, bool compares = false) {
+  const auto pieces = [&](double tolerance, int degree) {
     SvgReadOptions options;
     options.tolerance = tolerance;
     options.degree = degree;
     options.planar = true;
-    options.compares = compares;
     return read_svg("<svg>" + drawing + "</svg>", options);
   };
   for (const int degree : {2, 3}) {
@@ -275,11 +274,15 @@ TEST_CASE("a looser tolerance never takes more pieces, and a note tells what ano
       last = count;
     }
   }
-  const SvgImport import = pieces(1e-6, 2, true);
-  REQUIRE(import.notes.size() == 1);
-  CHECK_THAT(import.notes[0], Catch::Contains("--degree 3 would take " + std::to_string(pieces(1e-6, 3).pieces)) &&
-                                  Catch::EndsWith(" " + std::to_string(pieces(1e-4, 2).pieces)));
-  CHECK(pieces(1e-6, 2).notes.empty());
+  const SvgImport import = pieces(1e-6, 2), cubic = pieces(1e-6, 3);
+  REQUIRE(import.costs.size() == 1);
+  CHECK(import.costs[0] == "tolerance 1e-06 made " + std::to_string(import.fitted) +
+                               " spans of 8 cubic curves and arcs; --degree 3 takes " + std::to_string(cubic.pieces) +
+                               " instead of " + std::to_string(import.pieces) + " spans in all, --tolerance 0.0001 " +
+                               std::to_string(pieces(1e-4, 2).pieces) + " spans in all");
+  CHECK(pieces(1e-1, 2).costs.empty());
+  CHECK_THAT(read("<path d='M20 50C34 10 76 8 102 22z'/>").costs.at(0),
+             Catch::Contains(" spans of 1 cubic curve; --degree 3 keeps them exactly, "));
 }
 
 TEST_CASE("a looser tolerance never takes more pieces of curves at random", "[svg][property]") {
@@ -317,4 +320,67 @@ TEST_CASE("a looser tolerance never takes more pieces of curves at random", "[sv
       last = count;
     }
   }
+}
+
+TEST_CASE(
+    "a piece that is fitted to a cubic or a circle turns by at most 60 degrees, so that no mesh cuts it whatever the "
+    "tolerance",
+    "[svg]") {
+  for (const int degree : {2, 3})
+    for (const double tolerance : {1e-6, 1e-2, 1.0}) {
+      SvgReadOptions options;
+      options.degree = degree;
+      options.tolerance = tolerance;
+      const SvgImport import = read_svg(
+          "<svg><circle r='5'/><rect x='10' width='30' height='8' rx='3'/><path d='M0 20a9 9 0 0 1 9 9z'/></svg>",
+          options);
+      for (const Curve& curve : import.boundary.curves) {
+        const std::vector<double> breaks = curve.spline.breaks();
+        std::vector<Point> span(static_cast<std::size_t>(curve.spline.degree()) + 1);
+        for (std::size_t s = 0; s + 1 < breaks.size(); ++s) {
+          curve.spline.extract(breaks[s], span);
+          const Vector first = span[1] - span[0], last = span.back() - span[span.size() - 2];
+          CHECK(dot(first, last) >= (0.5 - 1e-6) * length(first) * length(last));
+        }
+      }
+    }
+}
+
+TEST_CASE("--unit gives lengths on the page, from width, height and viewBox", "[svg]") {
+  const auto box_in = [](LengthUnit unit, const std::string& attributes, const std::string& content) {
+    SvgReadOptions options;
+    options.unit = unit;
+    const Box found = bounding_box(read_svg("<svg " + attributes + ">" + content + "</svg>", options).boundary);
+    std::string out;
+    for (const double value : {found.low.x, -found.high.y, found.high.x, -found.low.y}) {
+      char digits[32];
+      std::snprintf(digits, sizeof digits, "%.6g", std::abs(value) < 1e-12 ? 0 : value);
+      out += (out.empty() ? "" : " ") + std::string(digits);
+    }
+    return out;
+  };
+  const std::string square = "<rect x='20' y='10' width='40' height='40'/>";
+  CHECK(box_in(LengthUnit::mm, "width='100mm' viewBox='0 0 200 100'", square) == "10 5 30 25");
+  CHECK(box_in(LengthUnit::cm, "width='100mm' viewBox='0 0 200 100'", square) == "1 0.5 3 2.5");
+  CHECK(box_in(LengthUnit::mm, "height='50mm' viewBox='0 0 200 100'", square) == "10 5 30 25");
+  CHECK(box_in(LengthUnit::in, "width='2in' height='1in' viewBox='0 0 200 100'", square) == "0.2 0.1 0.6 0.5");
+  CHECK(box_in(LengthUnit::px, "width='2in' height='1in' viewBox='0 0 192 96'", square) == "20 10 60 50");
+  // The page's upper left corner is the origin.
+  CHECK(box_in(LengthUnit::mm, "width='100mm' height='50mm' viewBox='20 10 200 100'", square) == "0 0 20 20");
+  // A page that is wider than the viewBox has it in its middle, or stretches it.
+  CHECK(box_in(LengthUnit::mm, "width='200mm' height='50mm' viewBox='0 0 200 100'", square) == "60 5 80 25");
+  CHECK(box_in(LengthUnit::mm, "width='200mm' height='50mm' viewBox='0 0 200 100' preserveAspectRatio='xMinYMin'",
+               square) == "10 5 30 25");
+  CHECK(box_in(LengthUnit::mm, "width='200mm' height='50mm' viewBox='0 0 200 100' preserveAspectRatio='none'",
+               square) == "20 5 60 25");
+  // Without a size, or with a part of the window, a user unit is a px: 96 to the inch.
+  CHECK(box_in(LengthUnit::in, "", "<rect width='96' height='48'/>") == "0 0 1 0.5");
+  CHECK(box_in(LengthUnit::in, "width='100%' viewBox='0 0 9 9'", "<rect width='96' height='48'/>") == "0 0 1 0.5");
+  CHECK(box_in(LengthUnit::mm, "width='50mm' height='9mm'", "<rect width='1in' height='20mm'/>") == "0 0 25.4 20");
+  CHECK(box_in(LengthUnit::mm, "",
+               "<svg width='20mm' height='20mm' viewBox='0 0 2 2'><rect width='1' height='1'/></svg>") == "0 0 10 10");
+  for (const char* page :
+       {"width='0' viewBox='0 0 1 1'", "width='-1mm' viewBox='0 0 1 1'", "height='50vh'",
+        "width='10mm' viewBox='0 0 0 5'", "width='1e60in' height='1e60in' viewBox='0 0 1e-300 1e-300'"})
+    CHECK_THROWS_WITH(box_in(LengthUnit::mm, page, square), Catch::StartsWith("svg: "));
 }

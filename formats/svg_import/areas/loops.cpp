@@ -268,6 +268,13 @@ std::vector<Loop> make_loops(const Outline& outline, const LoopOptions& options,
     for (Piece& piece : done) piece = elevated(piece, degree);
     loops.push_back(LoopBuilder(std::move(done), options, counts).build());
   };
+  const auto count_fitted = [&](const std::vector<Piece>& so_far, const auto& add) -> long {
+    const std::size_t before = so_far.size();
+    add();
+    const bool is_fitted = so_far.size() > before && so_far[before].fitted;
+    counts.curves += is_fitted ? 1 : 0;
+    return is_fitted ? 1 : 0;
+  };
   std::size_t next = 0;
   for (const Step step : outline.steps) {
     const Point* p = outline.points.data() + next;
@@ -293,11 +300,11 @@ std::vector<Loop> make_loops(const Outline& outline, const LoopOptions& options,
         at = p[1];
         break;
       case Step::cubic:
-        fit.add_cubic({at, p[0], p[1], p[2]}, pieces);
+        count_fitted(pieces, [&] { fit.add_cubic({at, p[0], p[1], p[2]}, pieces); });
         at = p[2];
         break;
       case Step::arc:
-        fit.add_arc(at, p[0], p[1], p[2], p[3].x, p[3].y, p[4], pieces);
+        counts.arcs += count_fitted(pieces, [&] { fit.add_arc(at, p[0], p[1], p[2], p[3].x, p[3].y, p[4], pieces); });
         at = p[4];
         break;
     }
