@@ -68,6 +68,8 @@ PassReport summarize(const SvgImport& import) {
   count("slivers", import.slivers);
   report.add("sliver_area", import.sliver_area);
   count("covered", import.covered);
+  count("lines", import.lines);
+  count("bare_lines", import.bare_lines);
   report.notes = import.warnings;
   report.notes.insert(report.notes.end(), import.costs.begin(), import.costs.end());
   return report;
@@ -89,6 +91,12 @@ int parse_degree(const std::string& text) {
   return static_cast<int>(degree);
 }
 
+Strokes parse_strokes(const std::string& text) {
+  if (text.empty()) return Strokes::left_out;
+  if (text == "curves") return Strokes::curves;
+  throw UsageError("--strokes: '" + text + "' is none of curves");
+}
+
 LengthUnit parse_unit(const std::string& text) {
   static constexpr std::array<std::pair<std::string_view, LengthUnit>, 5> units{{{"", LengthUnit::user},
                                                                                  {"mm", LengthUnit::mm},
@@ -106,7 +114,7 @@ int main(int argc, char** argv) {
   CLI::App app{"Read the filled shapes of an SVG drawing as a boundary of B-splines.", "import-svg"};
   ToolOptions options;
   SvgReadOptions svg;
-  std::string degree = "2", tolerance = "1e-6", unit;
+  std::string degree = "2", tolerance = "1e-6", unit, strokes;
   add_common_options(app, options);
   app.add_option("--degree", degree, "of the curves: 2, or 3, which takes cubic curves exactly")
       ->type_name("N")
@@ -118,6 +126,8 @@ int main(int argc, char** argv) {
   app.add_option("--unit", unit,
                  "mm, cm, in or px: coordinates are lengths on the page; without it they are user units")
       ->type_name("UNIT");
+  app.add_option("--strokes", strokes, "curves: strokes become curves that cut faces; implies --planar")
+      ->type_name("KIND");
   app.add_flag("--planar", svg.planar, "take shapes that meet; each face is what is seen of its shape");
   return run_tool(app, argc, argv, options, [&] {
     constexpr double least_tolerance = 1e-12;
@@ -126,6 +136,7 @@ int main(int argc, char** argv) {
     if (svg.tolerance < least_tolerance || svg.tolerance > 1)
       throw UsageError("--tolerance: '" + tolerance + "' is not between 1e-12 and 1");
     svg.unit = parse_unit(unit);
+    svg.strokes = parse_strokes(strokes);
     OutputFile output(options.output);
     FrameReports reports(options);
     Stopwatch watch;

@@ -38,7 +38,7 @@ double size_of(const std::vector<Shape>& shapes) {
 
 /// Arranges the faces. Curves are exact only to the import's tolerance, so curves closer than that run together. Where
 /// so coarse a snap leaves no arrangement, finer ones are tried; the faults are those of the first try.
-Arrangement arrange_drawing(const std::vector<FilledFace>& faces, double tolerance) {
+Arrangement arrange_drawing(const PaintedLayers& layers, double tolerance) {
   constexpr double finer = 1.0 / 16;
   ArrangeOptions options;
   const double finest = options.tolerance;
@@ -47,7 +47,7 @@ Arrangement arrange_drawing(const std::vector<FilledFace>& faces, double toleran
   options.tip = std::max(options.tip, options.tolerance / 4);
   Arrangement first;
   for (bool is_first = true;; is_first = false) {
-    Arrangement found = arrange(faces, options);
+    Arrangement found = arrange_layers(layers, options);
     if (found.faults.empty()) return found;
     if (is_first) first = std::move(found);
     if (options.tolerance <= finest) return first;
@@ -58,15 +58,15 @@ Arrangement arrange_drawing(const std::vector<FilledFace>& faces, double toleran
 /// All loops of all shapes, and the curves that they become.
 class Drawing {
  public:
-  Drawing(const std::vector<Shape>& shapes, const SvgReadOptions& options, SvgImport& import)
-      : shapes_(shapes), import_(import), tolerance_(options.tolerance) {
-    LoopOptions loop_options;
-    loop_options.degree = options.degree;
-    loop_options.size = import.size;
-    loop_options.tolerance = options.tolerance * import.size;
+  Drawing(const Scene& scene, const SvgReadOptions& options, SvgImport& import)
+      : scene_(scene), shapes_(scene.shapes), import_(import), tolerance_(options.tolerance) {
+    loop_options_.degree = options.degree;
+    loop_options_.size = import.size;
+    loop_options_.tolerance = options.tolerance * import.size;
+    const std::vector<Shape>& shapes = shapes_;
     LoopCounts& counts = counts_;
     all_.reserve(shapes.size());
-    for (const Shape& shape : shapes) all_.push_back(make_loops(shape.outline, loop_options, counts));
+    for (const Shape& shape : shapes) all_.push_back(make_loops(shape.outline, loop_options_, counts));
     for (std::size_t s = 0; s < shapes.size(); ++s)
       for (const Loop& loop : all_[s]) loops_.push_back({static_cast<int>(s), &loop});
     import.no_area = counts.no_area;
@@ -116,16 +116,26 @@ class Drawing {
   /// The boundary of shapes that may meet: a face is what is seen of its shape, and faces are disjoint.
   /// Throws      InputError where the curves cannot be arranged
   void arrange_boundary() {
-    std::vector<FilledFace> faces;
-    faces.reserve(shapes_.size());
+    PaintedLayers layers;
+    std::vector<int> faces_before{0};  // of each shape; one more at the end
     for (std::size_t s = 0; s < shapes_.size(); ++s) {
-      FilledFace face;
-      face.name = shapes_[s].name;
-      face.rule = shapes_[s].even_odd ? FillRule::evenodd : FillRule::nonzero;
-      for (const Loop& loop : all_[s]) face.curves.insert(face.curves.end(), loop.curves.begin(), loop.curves.end());
-      if (!face.curves.empty()) faces.push_back(std::move(face));
+      FilledFace face = filled(shapes_[s], all_[s]);
+      if (!face.curves.empty()) layers.faces.push_back(std::move(face));
+      faces_before.push_back(static_cast<int>(layers.faces.size()));
     }
-    Arrangement arrangement = arrange_drawing(faces, tolerance_);
+    for (const Clip& clip : scene_.clips) {
+      ClipArea area{{}, clip.clips};
+      for (const Shape& part : clip.parts)
+        area.parts.push_back(filled(part, make_loops(part.outline, loop_options_, clip_counts_)));
+      layers.clips.push_back(std::move(area));
+    }
+    for (const StrokeLine& line : scene_.lines)
+      for (BSpline& curve : make_lines(line.outline, loop_options_, clip_counts_))
+        layers.lines.push_back(
+            {line.name, std::move(curve), faces_before[static_cast<std::size_t>(line.above)], line.clips});
+    import_.error = std::max(import_.error, clip_counts_.fit_error + clip_counts_.join_error);
+    import_.lines = static_cast<long>(layers.lines.size());
+    Arrangement arrangement = arrange_drawing(layers, tolerance_);
     if (!arrangement.faults.empty()) {
       std::string text = "the shapes cannot be arranged";
       for (const Fault& fault : arrangement.faults) text += "\n" + fault.text;
@@ -140,10 +150,23 @@ class Drawing {
       import_.warnings.push_back(std::to_string(import_.slivers) + (import_.slivers == 1 ? " sliver" : " slivers") +
                                  " between shapes that nearly meet closed, of an area of " +
                                  describe_number(import_.sliver_area) + " at most");
-    import_.covered = static_cast<long>(faces.size() - import_.boundary.faces.size());
+    import_.covered = static_cast<long>(layers.faces.size() - import_.boundary.faces.size());
+    import_.bare_lines = arrangement.bare_lines;
+    if (import_.bare_lines > 0)
+      import_.warnings.emplace_back("strokes run outside of all faces, and are left out there");
+    if (import_.boundary.faces.empty()) throw InputError("", "nothing is seen: clip paths cut off all that is filled");
   }
 
  private:
+  static FilledFace filled(const Shape& shape, const std::vector<Loop>& loops) {
+    FilledFace face;
+    face.name = shape.name;
+    face.rule = shape.even_odd ? FillRule::evenodd : FillRule::nonzero;
+    face.clips = shape.clips;
+    for (const Loop& loop : loops) face.curves.insert(face.curves.end(), loop.curves.begin(), loop.curves.end());
+    return face;
+  }
+
   const Shape& shape_of(std::size_t loop) const { return shapes_[static_cast<std::size_t>(loops_[loop].shape)]; }
 
   void add_curves(std::size_t l, int left, int right, BoundaryComplex& boundary) const {
@@ -199,10 +222,12 @@ class Drawing {
     throw InputError("", text);
   }
 
+  const Scene& scene_;
   const std::vector<Shape>& shapes_;
   SvgImport& import_;
   double tolerance_;  // as a part of the drawing's size
-  LoopCounts counts_;
+  LoopOptions loop_options_;
+  LoopCounts counts_, clip_counts_;
   std::vector<std::vector<Loop>> all_;
   std::vector<ShapeLoop> loops_;
   std::size_t next_loop_ = 0;
@@ -256,11 +281,24 @@ void note_cost(const std::vector<Shape>& shapes, const SvgReadOptions& options, 
   import.costs.push_back(std::move(text));
 }
 
+/// Why a drawing of which nothing is filled is refused.
+std::string describe_nothing(const Scene& scene, Strokes strokes) {
+  std::string text = "nothing is filled: " + std::to_string(scene.shapes.size()) + " filled shape" +
+                     (scene.shapes.size() == 1 ? "" : "s") + " without an interior, " + std::to_string(scene.unfilled) +
+                     " without a fill, " + std::to_string(scene.hidden) + " hidden";
+  if (scene.strokes == 0) return text;
+  text += "; " + std::to_string(scene.strokes) + (scene.strokes == 1 ? " has a stroke" : " have strokes");
+  text += strokes == Strokes::curves ? ", but curves of strokes only cut faces, and there are none"
+                                     : ", which --strokes area reads as the area that it paints";
+  return text;
+}
+
 }  // namespace
 
 SvgImport read_svg(std::string_view bytes, const SvgReadOptions& options) {
   SvgImport import;
-  const Scene scene = read_scene(ElementTree(bytes), options.unit);
+  const bool is_planar = options.planar || options.strokes != Strokes::left_out;
+  const Scene scene = read_scene(ElementTree(bytes), {options.unit, options.strokes, is_planar});
   import.warnings = scene.warnings;
   import.shapes = static_cast<long>(scene.shapes.size());
   import.unfilled = scene.unfilled;
@@ -268,14 +306,10 @@ SvgImport read_svg(std::string_view bytes, const SvgReadOptions& options) {
   import.size = size_of(scene.shapes);
   constexpr double least_size = 1e-60;  // squares of small parts of it do not underflow to 0
   if (import.size > 0 && import.size < least_size) throw InputError("", "the drawing is smaller than 1e-60");
-  Drawing drawing(scene.shapes, options, import);
-  if (drawing.empty())
-    throw InputError("", "nothing is filled: " + std::to_string(import.shapes) + " filled shape" +
-                             (import.shapes == 1 ? "" : "s") + " without an interior, " +
-                             std::to_string(import.unfilled) + " without a fill, " + std::to_string(import.hidden) +
-                             " hidden");
+  Drawing drawing(scene, options, import);
+  if (drawing.empty()) throw InputError("", describe_nothing(scene, options.strokes));
   note_cost(scene.shapes, options, drawing.counts(), import);
-  if (options.planar)
+  if (is_planar)
     drawing.arrange_boundary();
   else
     drawing.make_boundary();

@@ -12,11 +12,15 @@ namespace pliant {
 /// What coordinates of the result count: user units of the drawing's root, or lengths on its page.
 enum class LengthUnit { user, px, mm, cm, in };
 
+/// How strokes are read: not at all; as the curves that they follow, which cut faces.
+enum class Strokes { left_out, curves };
+
 struct SvgReadOptions {
   int degree = 2;           ///< highest degree of the curves, 2 or 3; cubics are exact at 3
   double tolerance = 1e-6;  ///< how far fitted cubics and arcs may be off, as a part of the drawing's size; with
                             ///< `planar` curves closer than this run together
   bool planar = false;      ///< shapes may meet: each gives way to those painted after it (arrange)
+  Strokes strokes = Strokes::left_out;     ///< any but left_out makes the drawing planar
   LengthUnit unit = LengthUnit::user;  ///< of the result's coordinates
 };
 
@@ -25,6 +29,8 @@ struct SvgImport {
   std::vector<std::string> warnings;  ///< a sentence for each kind of thing that is not read
   long shapes = 0;                    ///< filled shapes
   long unfilled = 0, hidden = 0;      ///< shapes left out: without a fill, not displayed or not visible
+  long lines = 0;                     ///< curves of strokes
+  long bare_lines = 0;                ///< pieces of them left out: no face is beside them
   long no_area = 0;                   ///< loops left out: they have no interior
   long no_border = 0;                 ///< loops left out: the same shape on both sides
   long pieces = 0, fitted = 0;        ///< Bézier pieces, and those of them that are not exact

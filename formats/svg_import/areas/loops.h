@@ -37,4 +37,8 @@ struct LoopCounts {
 /// The loops of an outline as a fill takes them: open subpaths are closed by a line.
 std::vector<Loop> make_loops(const Outline& outline, const LoopOptions& options, LoopCounts& counts);
 
+/// The curves of an outline as a stroke follows them: those of an open subpath are open, those of a closed one closed
+/// unless it has corners in cusps or runs along itself.
+std::vector<BSpline> make_lines(const Outline& outline, const LoopOptions& options, LoopCounts& counts);
+
 }  // namespace pliant::svg
