@@ -94,7 +94,8 @@ int parse_degree(const std::string& text) {
 Strokes parse_strokes(const std::string& text) {
   if (text.empty()) return Strokes::left_out;
   if (text == "curves") return Strokes::curves;
-  throw UsageError("--strokes: '" + text + "' is none of curves");
+  if (text == "area") return Strokes::area;
+  throw UsageError("--strokes: '" + text + "' is neither curves nor area");
 }
 
 LengthUnit parse_unit(const std::string& text) {
@@ -111,7 +112,7 @@ LengthUnit parse_unit(const std::string& text) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app{"Read the filled shapes of an SVG drawing as a boundary of B-splines.", "import-svg"};
+  CLI::App app{"Read the shapes of an SVG drawing as a boundary of B-splines.", "import-svg"};
   ToolOptions options;
   SvgReadOptions svg;
   std::string degree = "2", tolerance = "1e-6", unit, strokes;
@@ -126,7 +127,8 @@ int main(int argc, char** argv) {
   app.add_option("--unit", unit,
                  "mm, cm, in or px: coordinates are lengths on the page; without it they are user units")
       ->type_name("UNIT");
-  app.add_option("--strokes", strokes, "curves: strokes become curves that cut faces; implies --planar")
+  app.add_option("--strokes", strokes,
+                 "curves: strokes cut faces; area: what they paint becomes faces; implies --planar")
       ->type_name("KIND");
   app.add_flag("--planar", svg.planar, "take shapes that meet; each face is what is seen of its shape");
   return run_tool(app, argc, argv, options, [&] {

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "formats/svg_import/paint.h"
+#include "formats/svg_import/painting.h"
 #include "formats/svg_import/viewport.h"
 
 namespace pliant::svg {
@@ -98,9 +99,7 @@ void ClipPaths::add_part(int child, const Context& around, const Affine& map, bo
       refuse(element,
              "clip paths have more than " + std::to_string(max_steps) + " segments, each place where one cuts counted");
     part.outline.transform(context.map);
-    for (const Point& p : part.outline.points)
-      if (!(std::abs(p.x) <= max_coordinate && std::abs(p.y) <= max_coordinate))
-        refuse(element, "a coordinate is beyond 1e60");
+    check_coordinates(element, part.outline);
     part.name = "clip path";
     part.line = element.line;
     part.even_odd = context.clip_rule == "evenodd";

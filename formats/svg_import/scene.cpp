@@ -7,6 +7,7 @@
 #include "formats/svg_import/clip_paths.h"
 #include "formats/svg_import/context.h"
 #include "formats/svg_import/paint.h"
+#include "formats/svg_import/painting.h"
 #include "formats/svg_import/shape_name.h"
 #include "formats/svg_import/viewport.h"
 #include "pliant/boundary/fault.h"
@@ -21,23 +22,6 @@ const std::unordered_set<std::string_view> silent{
     "defs",          "symbol",  "title",     "desc",           "metadata",       "style",       "clipPath", "mask",
     "marker",        "pattern", "filter",    "linearGradient", "radialGradient", "solidColor",  "view",     "cursor",
     "color-profile", "font",    "font-face", "script",         "hatch",          "meshgradient"};
-
-/// A px in the unit.
-double length_of_px(LengthUnit unit) {
-  constexpr double px_in_an_inch = 96;
-  switch (unit) {
-    case LengthUnit::in:
-      return 1 / px_in_an_inch;
-    case LengthUnit::cm:
-      return 2.54 / px_in_an_inch;
-    case LengthUnit::mm:
-      return 25.4 / px_in_an_inch;
-    case LengthUnit::px:
-    case LengthUnit::user:
-      break;
-  }
-  return 1;
-}
 
 class Walker {
  public:
@@ -114,20 +98,22 @@ class Walker {
     const auto box = [&] {
       Box all;
       const Affine back = context.map.determinant() == 0 ? Affine{} : context.map.inverse();
-      const auto add = [&](const Outline& outline) {
-        const Box one = tight_box_of(outline, back);
+      const auto add = [&](const Outline& outline, const Affine& map) {
+        const Box one = tight_box_of(outline, map);
         if (!(one.low.x <= one.high.x)) return;
         all.extend(one.low);
         all.extend(one.high);
       };
-      for (std::size_t s = first; s < scene_.shapes.size(); ++s) add(scene_.shapes[s].outline);
-      for (std::size_t l = first_line; l < scene_.lines.size(); ++l) add(scene_.lines[l].outline);
+      for (std::size_t s = first; s < scene_.shapes.size(); ++s)
+        add(scene_.shapes[s].outline, back * scene_.shapes[s].map);
+      for (std::size_t l = first_line; l < scene_.lines.size(); ++l) add(scene_.lines[l].outline, back);
       return all;
     };
     const int number = clip_paths_.of(value, element, context, box);
     if (number < 0) return;
     for (std::size_t s = first; s < scene_.shapes.size(); ++s)
-      if (!clip_paths_.contains(number, box_of(scene_.shapes[s].outline))) scene_.shapes[s].clips.push_back(number);
+      if (scene_.shapes[s].stroke || !clip_paths_.contains(number, box_of(scene_.shapes[s])))
+        scene_.shapes[s].clips.push_back(number);
     for (std::size_t l = first_line; l < scene_.lines.size(); ++l)
       if (!clip_paths_.contains(number, box_of(scene_.lines[l].outline))) scene_.lines[l].clips.push_back(number);
   }
@@ -176,7 +162,7 @@ class Walker {
       return x < -margin || y < -margin || x > width + margin || y > height + margin;
     };
     for (std::size_t s = first; s < scene_.shapes.size(); ++s) {
-      const Box box = box_of(scene_.shapes[s].outline, back);
+      const Box box = box_of(scene_.shapes[s], back);
       if (is_out(box.low.x, box.low.y) || is_out(box.high.x, box.high.y)) return notices_.add(what, element);
     }
   }
@@ -285,46 +271,6 @@ class Walker {
     if (is_set(Property::filter)) notices_.add("filters change nothing", element);
   }
 
-  /// Does the paint show? A reference to a missing element does not, unless a colour follows it.
-  bool paints(std::string_view paint, const Element& element, const Context& context) {
-    switch (classify_paint(paint)) {
-      case Paint::colour:
-        return true;
-      case Paint::invisible:
-      case Paint::not_understood:
-        return false;
-      case Paint::current:
-        return classify_paint(context.color) == Paint::colour;
-      case Paint::of_fill:
-        return paints(context.context_fill, element, context);
-      case Paint::of_stroke:
-        return paints(context.context_stroke, element, context);
-      case Paint::reference:
-        return reference_paints(paint, element, context);
-    }
-    return true;
-  }
-
-  /// Does the element paint where it is referred to? Gradients and patterns do.
-  bool reference_paints(std::string_view paint, const Element& element, const Context& context) {
-    const std::size_t end = std::min(paint.find(')'), paint.size());
-    std::string id(paint.substr(4, end - 4));
-    std::erase_if(id, [](char c) { return c == '"' || c == '\'' || c == ' '; });
-    const int target = id.empty() || id.front() != '#' ? no_element : tree_.find(id.substr(1));
-    const std::string kind = target == no_element ? "" : tree_[target].name;
-    if (kind == "pattern" || kind == "hatch") {
-      notices_.add("a pattern is taken for a colour", element);
-    } else if (kind == "linearGradient" || kind == "radialGradient" || kind == "meshgradient" || kind == "solidColor") {
-      notices_.add("a gradient is taken for a colour", element);
-    } else {
-      notices_.add("fill refers to a paint that does not exist", element);
-      std::string_view behind = paint.substr(std::min(end + 1, paint.size()));
-      while (!behind.empty() && behind.front() == ' ') behind.remove_prefix(1);
-      return classify_paint(behind) != Paint::reference && paints(behind, element, context);
-    }
-    return true;
-  }
-
   /// Adds notices of strokes and markers, as far as they are not read.
   void note_lines(const Element& element, const Context& context) {
     if (options_.strokes == Strokes::left_out) {
@@ -340,18 +286,8 @@ class Walker {
   bool has_stroke(const Element& element, const Context& context) {
     const Paint kind = classify_paint(context.stroke);
     if (kind == Paint::invisible || kind == Paint::not_understood) return false;
-    return fraction_of(context.stroke_opacity, 1) > 0 && stroke_width(element, context) > 0 &&
-           (options_.strokes == Strokes::left_out || paints(context.stroke, element, context));
-  }
-
-  double stroke_width(const Element& element, const Context& context) {
-    try {
-      const double width = resolve(parse_length(context.stroke_width), Along::both, context.viewport);
-      if (std::isfinite(width) && width >= 0) return width;
-    } catch (const SyntaxError&) {  // CSS passes over what it does not understand
-    }
-    notices_.add("a stroke-width that is no length is taken for 1", element);
-    return 1;
+    return fraction_of(context.stroke_opacity, 1) > 0 && stroke_width(element, context, notices_) > 0 &&
+           (options_.strokes == Strokes::left_out || paints(context.stroke, element, context, tree_, notices_));
   }
 
   void add_shape(const Element& element, const Declarations& declared, const Context& context) {
@@ -364,30 +300,34 @@ class Walker {
     const bool is_stroked = !context.transparent && has_stroke(element, context);
     scene_.strokes += is_stroked ? 1 : 0;
     const bool is_line = is_stroked && options_.strokes == Strokes::curves;
+    const bool is_area = is_stroked && options_.strokes == Strokes::area;
     const bool is_filled = element.name != "line" && !context.transparent && fraction_of(context.fill_opacity, 1) > 0 &&
-                           paints(context.fill, element, context);
+                           paints(context.fill, element, context, tree_, notices_);
     if (!is_filled) ++scene_.unfilled;
-    if (!is_filled && !is_line) return;
+    if (!is_filled && !is_line && !is_area) return;
     Outline outline = outline_of(element, context.viewport);
     if (outline.empty()) return;
     note_effects(element, declared);
     steps_ += outline.steps.size();
     if (steps_ > max_steps)
       refuse(element, "the outlines have more than " + std::to_string(max_steps) + " segments, copies by use counted");
+    const Outline own_outline = is_area ? outline : Outline{};
     outline.transform(context.map);
     check_coordinates(element, outline);
     const std::string name = names_.name(element, context.shown_by, number);
-    const int before = static_cast<int>(scene_.shapes.size());
     // Where the stroke is painted first, the fill hides what of it lies inside.
     const bool is_under = context.paint_order.substr(0, 6) == "stroke";
+    const int before = static_cast<int>(scene_.shapes.size());
     if (is_line) scene_.lines.push_back({name, outline, before + (is_filled && !is_under ? 1 : 0)});
+    const auto add_stroke = [&] {
+      Shape stroke{is_filled ? names_.unique(name + " stroke") : name, element.line, false, own_outline};
+      stroke.stroke = stroke_style(element, declared, context, notices_);
+      stroke.map = context.map;
+      scene_.shapes.push_back(std::move(stroke));
+    };
+    if (is_area && is_under) add_stroke();
     if (is_filled) scene_.shapes.push_back({name, element.line, context.fill_rule == "evenodd", std::move(outline)});
-  }
-
-  static void check_coordinates(const Element& element, const Outline& outline) {
-    for (const Point& p : outline.points)
-      if (!(std::abs(p.x) <= max_coordinate && std::abs(p.y) <= max_coordinate))
-        refuse(element, "a coordinate is beyond 1e60");
+    if (is_area && !is_under) add_stroke();
   }
 
   const ElementTree& tree_;

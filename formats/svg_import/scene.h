@@ -1,9 +1,11 @@
 // formats/svg_import/scene.h: what a drawing fills: groups, transforms, viewports, `use` and styles resolved.
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "formats/svg_import/areas/outline.h"
+#include "formats/svg_import/areas/stroke.h"
 #include "formats/svg_import/element_tree.h"
 #include "formats/svg_import/svg_reader.h"
 
@@ -20,6 +22,9 @@ struct Shape {
   bool even_odd = false;
   Outline outline;           ///< in the units of the result, y upwards
   std::vector<int> clips{};  ///< it is seen only inside of all of these clip paths
+  /// The shape is what a stroke paints along `outline`, which is in coordinates of its own; `map` leads to the result.
+  std::optional<StrokeStyle> stroke{};
+  Affine map{};
 };
 
 /// A stroke as the curve that it follows.
@@ -51,6 +56,9 @@ struct Scene {
   long strokes = 0;               ///< shapes with a stroke
   std::vector<std::string> warnings;
 };
+
+/// The box of the shape's control points; that of a stroke as if all joins were round, without sharp corners.
+Box box_of(const Shape& shape, const Affine& map = {});
 
 /// Walks the document in the order in which it is painted, and collects what it fills, and strokes.
 /// Throws      InputError with the element's line and column: bad attributes, `use` that contains itself, a clip path

@@ -8,6 +8,7 @@
 
 #include "formats/svg_import/areas/loops.h"
 #include "formats/svg_import/areas/nesting.h"
+#include "formats/svg_import/areas/painted_strokes.h"
 #include "formats/svg_import/element_tree.h"
 #include "formats/svg_import/scene.h"
 #include "pliant/boundary/arrangement.h"
@@ -28,7 +29,7 @@ constexpr const char* not_apart =
 double size_of(const std::vector<Shape>& shapes) {
   Box box;
   for (const Shape& shape : shapes) {
-    const Box one = box_of(shape.outline);
+    const Box one = box_of(shape);
     if (!(one.low.x <= one.high.x)) continue;
     box.extend(one.low);
     box.extend(one.high);
@@ -58,11 +59,12 @@ Arrangement arrange_drawing(const PaintedLayers& layers, double tolerance) {
 /// All loops of all shapes, and the curves that they become.
 class Drawing {
  public:
-  Drawing(const Scene& scene, const SvgReadOptions& options, SvgImport& import)
+  /// `tolerance` is a length.
+  Drawing(const Scene& scene, const SvgReadOptions& options, double tolerance, SvgImport& import)
       : scene_(scene), shapes_(scene.shapes), import_(import), tolerance_(options.tolerance) {
     loop_options_.degree = options.degree;
     loop_options_.size = import.size;
-    loop_options_.tolerance = options.tolerance * import.size;
+    loop_options_.tolerance = tolerance;
     const std::vector<Shape>& shapes = shapes_;
     LoopCounts& counts = counts_;
     all_.reserve(shapes.size());
@@ -154,7 +156,9 @@ class Drawing {
     import_.bare_lines = arrangement.bare_lines;
     if (import_.bare_lines > 0)
       import_.warnings.emplace_back("strokes run outside of all faces, and are left out there");
-    if (import_.boundary.faces.empty()) throw InputError("", "nothing is seen: clip paths cut off all that is filled");
+    if (import_.boundary.faces.empty())
+      throw InputError(
+          "", "nothing is seen: clip paths cut off all that is filled, or it is thinner than four times the tolerance");
   }
 
  private:
@@ -298,7 +302,7 @@ std::string describe_nothing(const Scene& scene, Strokes strokes) {
 SvgImport read_svg(std::string_view bytes, const SvgReadOptions& options) {
   SvgImport import;
   const bool is_planar = options.planar || options.strokes != Strokes::left_out;
-  const Scene scene = read_scene(ElementTree(bytes), {options.unit, options.strokes, is_planar});
+  Scene scene = read_scene(ElementTree(bytes), {options.unit, options.strokes, is_planar});
   import.warnings = scene.warnings;
   import.shapes = static_cast<long>(scene.shapes.size());
   import.unfilled = scene.unfilled;
@@ -306,7 +310,9 @@ SvgImport read_svg(std::string_view bytes, const SvgReadOptions& options) {
   import.size = size_of(scene.shapes);
   constexpr double least_size = 1e-60;  // squares of small parts of it do not underflow to 0
   if (import.size > 0 && import.size < least_size) throw InputError("", "the drawing is smaller than 1e-60");
-  Drawing drawing(scene, options, import);
+  const double tolerance = paint_strokes(scene, options.tolerance * import.size);
+  Drawing drawing(scene, options, tolerance, import);
+  if (tolerance < options.tolerance * import.size) import.error += options.tolerance * import.size - tolerance;
   if (drawing.empty()) throw InputError("", describe_nothing(scene, options.strokes));
   note_cost(scene.shapes, options, drawing.counts(), import);
   if (is_planar)

@@ -12,16 +12,17 @@ namespace pliant {
 /// What coordinates of the result count: user units of the drawing's root, or lengths on its page.
 enum class LengthUnit { user, px, mm, cm, in };
 
-/// How strokes are read: not at all; as the curves that they follow, which cut faces.
-enum class Strokes { left_out, curves };
+/// How strokes are read: not at all; as the curves that they follow, which cut faces; as faces of the area that they
+/// paint.
+enum class Strokes { left_out, curves, area };
 
 struct SvgReadOptions {
   int degree = 2;           ///< highest degree of the curves, 2 or 3; cubics are exact at 3
   double tolerance = 1e-6;  ///< how far fitted cubics and arcs may be off, as a part of the drawing's size; with
                             ///< `planar` curves closer than this run together
   bool planar = false;      ///< shapes may meet: each gives way to those painted after it (arrange)
-  Strokes strokes = Strokes::left_out;     ///< any but left_out makes the drawing planar
-  LengthUnit unit = LengthUnit::user;  ///< of the result's coordinates
+  Strokes strokes = Strokes::left_out;  ///< any but left_out makes the drawing planar
+  LengthUnit unit = LengthUnit::user;   ///< of the result's coordinates
 };
 
 struct SvgImport {

@@ -113,4 +113,20 @@ Viewport root_viewport(const Element& root, double font_size) {
   return viewport;
 }
 
+double length_of_px(LengthUnit unit) {
+  constexpr double px_in_an_inch = 96;
+  switch (unit) {
+    case LengthUnit::in:
+      return 1 / px_in_an_inch;
+    case LengthUnit::cm:
+      return 2.54 / px_in_an_inch;
+    case LengthUnit::mm:
+      return 25.4 / px_in_an_inch;
+    case LengthUnit::px:
+    case LengthUnit::user:
+      break;
+  }
+  return 1;
+}
+
 }  // namespace pliant::svg

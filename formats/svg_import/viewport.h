@@ -4,6 +4,7 @@
 
 #include "formats/svg_import/affine.h"
 #include "formats/svg_import/shapes.h"
+#include "formats/svg_import/svg_reader.h"
 
 namespace pliant::svg {
 
@@ -27,5 +28,8 @@ Viewport root_viewport(const Element& root, double font_size);
 /// viewBox
 ///             without extent
 Affine page_map(const Element& root, const Viewport& viewport);
+
+/// A px in the unit.
+double length_of_px(LengthUnit unit);
 
 }  // namespace pliant::svg

@@ -113,9 +113,34 @@ std::array<Cubic, 2> split(const Cubic& c, double t) {
   return {Cubic{c[0], ab, abc, middle}, Cubic{middle, bcd, cd, c[3]}};
 }
 
+/// Adds a cubic whose control points are on a line: its chord, or where it is to be followed back, the lines between
+/// the places where it turns round.
+void BezierFit::add_straight(const Cubic& c, std::vector<Piece>& out) const {
+  if (!follows_back_) return add_line(c[0], c[3], false, out);
+  Vector along;
+  for (const Point& p : c)
+    if (squared_length(p - c[0]) > squared_length(along)) along = p - c[0];
+  const double a = dot(along, c[1] - c[0]), b = dot(along, c[2] - c[1]), d = dot(along, c[3] - c[2]);
+  std::vector<double> turns;
+  if (const double discriminant = b * b - a * d; discriminant > 0) {  // of a (1-t)^2 + 2 b t (1-t) + d t^2
+    const double q = -(b + std::copysign(std::sqrt(discriminant), b));
+    turns = {q / (q + d), a / (a + q)};
+    std::sort(turns.begin(), turns.end());
+  }
+  Point at = c[0];
+  for (const double t : turns) {
+    if (!(least_inside < t && t < 1 - least_inside)) continue;
+    const Point turn = split(c, t)[0][3];
+    add_line(at, turn, false, out);
+    at = turn;
+  }
+  add_line(at, c[3], false, out);
+}
+
 void BezierFit::add_quadratic(const Point& p, const Point& q, const Point& r, std::vector<Piece>& out) {
   const std::array<Point, 3> points{p, q, r};
-  if (is_straight(points.data(), 3, rounding)) return add_line(p, r, false, out);
+  if (is_straight(points.data(), 3, rounding))
+    return add_straight({p, p + (2.0 / 3) * (q - p), r + (2.0 / 3) * (q - r), r}, out);
   Piece piece;
   piece.degree = 2;
   std::copy(points.begin(), points.end(), piece.points.begin());
@@ -123,7 +148,7 @@ void BezierFit::add_quadratic(const Point& p, const Point& q, const Point& r, st
 }
 
 void BezierFit::add_cubic(const Cubic& c, std::vector<Piece>& out) {
-  if (is_straight(c.data(), 4, rounding)) return add_line(c[0], c[3], false, out);
+  if (is_straight(c.data(), 4, rounding)) return add_straight(c, out);
   const double size = size_of(c.data(), 4);
   std::vector<double> cuts;
   add_inflections(c, cuts);

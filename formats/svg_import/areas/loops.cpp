@@ -3,10 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <optional>
 
-#include "pliant/boundary/fault.h"
+#include "formats/svg_import/areas/subpaths.h"
 
 namespace pliant::svg {
 namespace {
@@ -247,78 +246,6 @@ void halve(std::vector<Piece>& pieces) {
   pieces = {first, second};
 }
 
-/// The subpaths of an outline as pieces. `finish` is called with the pieces of each, the ends of the subpath, and
-/// whether a step closes it.
-class Subpaths {
- public:
-  using Finish = std::function<void(std::vector<Piece>, const Point& start, const Point& end, bool is_closed)>;
-
-  Subpaths(const LoopOptions& options, LoopCounts& counts, Finish finish)
-      : fit_(options.degree, options.tolerance / 2), counts_(counts), finish_(std::move(finish)) {}
-
-  void read(const Outline& outline) {
-    std::size_t next = 0;
-    for (const Step step : outline.steps) {
-      add(step, outline.points.data() + next);
-      next += static_cast<std::size_t>(point_count(step));
-      if (pieces_.size() + static_cast<std::size_t>(counts_.pieces) > max_pieces)
-        throw InputError("", "the curves need more than " + std::to_string(max_pieces) +
-                                 " pieces; a greater --tolerance, or --degree 3, takes fewer");
-    }
-    finish(false);
-    counts_.fit_error = std::max(counts_.fit_error, fit_.error());
-  }
-
- private:
-  void finish(bool is_closed) {
-    std::vector<Piece> done;
-    std::swap(done, pieces_);
-    if (!done.empty()) finish_(std::move(done), start_, at_, is_closed);
-  }
-
-  void add(Step step, const Point* p) {
-    const std::size_t before = pieces_.size();
-    switch (step) {
-      case Step::move:
-        finish(false);
-        start_ = at_ = p[0];
-        break;
-      case Step::close:
-        finish(true);
-        at_ = start_;
-        break;
-      case Step::line: {
-        Piece line;
-        line.points[0] = at_;
-        line.points[1] = at_ = p[0];
-        pieces_.push_back(line);
-        break;
-      }
-      case Step::quadratic:
-        fit_.add_quadratic(at_, p[0], p[1], pieces_);
-        at_ = p[1];
-        break;
-      case Step::cubic:
-        fit_.add_cubic({at_, p[0], p[1], p[2]}, pieces_);
-        at_ = p[2];
-        break;
-      case Step::arc:
-        fit_.add_arc(at_, p[0], p[1], p[2], p[3].x, p[3].y, p[4], pieces_);
-        at_ = p[4];
-        break;
-    }
-    if (pieces_.size() <= before || !pieces_[before].fitted) return;
-    ++counts_.curves;
-    counts_.arcs += step == Step::arc ? 1 : 0;
-  }
-
-  BezierFit fit_;
-  LoopCounts& counts_;
-  Finish finish_;
-  std::vector<Piece> pieces_;
-  Point start_, at_;
-};
-
 void elevate_all(std::vector<Piece>& pieces) {
   int degree = 1;
   for (const Piece& piece : pieces) degree = std::max(degree, piece.degree);
@@ -364,7 +291,7 @@ std::vector<BSpline> make_lines(const Outline& outline, const LoopOptions& optio
     Loop loop = LoopBuilder(std::move(pieces), is_open, options, counts).build();
     for (BSpline& curve : loop.curves) lines.push_back(std::move(curve));
   };
-  Subpaths(options, counts, finish).read(outline);
+  Subpaths(options, counts, finish, true).read(outline);
   return lines;
 }
 

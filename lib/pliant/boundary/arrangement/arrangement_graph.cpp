@@ -180,6 +180,10 @@ class GraphBuilder {
   static int crossing(std::span<const Point> polygon, const Point& p) {
     const bool from_above = polygon.front().y > p.y, to_above = polygon.back().y > p.y;
     if (from_above == to_above) return 0;
+    const auto [least, greatest] =
+        std::minmax_element(polygon.begin(), polygon.end(), [](const Point& q, const Point& r) { return q.x < r.x; });
+    if (least->x >= p.x) return 0;
+    if (greatest->x < p.x) return from_above ? 1 : -1;
     double low = 0, high = 1;
     for (int i = 0; i < 60; ++i) {
       const double middle = low + (high - low) / 2;
