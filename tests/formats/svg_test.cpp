@@ -8,7 +8,7 @@
 #include <regex>
 
 #include "formats/picture/mesh_edges.h"
-#include "formats/picture/svg_path.h"
+#include "formats/picture/svg/path.h"
 #include "pliant/geometry/control_net.h"
 #include "pliant/mesh/check_mesh.h"
 #include "pliant/quality/metrics.h"
