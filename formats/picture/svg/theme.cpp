@@ -40,8 +40,8 @@ Rgb face_color(const Theme& theme, FaceId face) {
 
 double contrast(const Rgb& a, const Rgb& b) {
   constexpr double flare = 0.05;
-  const auto [low, high] = std::minmax(luminance(a), luminance(b));
-  return (high + flare) / (low + flare);
+  const double light_a = luminance(a), light_b = luminance(b);
+  return (std::max(light_a, light_b) + flare) / (std::min(light_a, light_b) + flare);
 }
 
 }  // namespace pliant
