@@ -34,8 +34,10 @@ std::string field_fault(const MeshData& mesh, const std::string& name) {
 /// The values at the points of a square grid over the box that are in the mesh.
 std::vector<Sample> sample_grid(const Drawing& drawing, const ElementValues& values, double spacing) {
   const Box& box = drawing.box;
+  // An odd number in each direction: a mesh that is thinner than the spacing has the middle row.
   const auto count = [spacing](double side) {
-    return std::max(1, static_cast<int>(std::floor(side / spacing + 1e-9)));
+    const int n = std::max(1, static_cast<int>(std::floor(side / spacing + 1e-9)));
+    return n % 2 == 1 ? n : n - 1;
   };
   const int columns = count(box.high.x - box.low.x), rows = count(box.high.y - box.low.y);
   const Point first = 0.5 * (box.low + box.high) - 0.5 * spacing * Point{double(columns - 1), double(rows - 1)};
@@ -176,7 +178,9 @@ Key draw_arrows(const Drawing& drawing, const ArrowRequest& request, std::string
     path.text(", " + exact_number(sample.value.y) + ")</title></path>\n");
   }
   path.text("</g>\n");
-  if (most == 0) return {Key::Sign::arrow, 0, "|" + request.field + "| = 0"};
+  if (most == 0)
+    return {Key::Sign::arrow, 0,
+            samples.empty() ? request.field + ": no point of the grid is in the mesh" : "|" + request.field + "| = 0"};
   const double shown = round_below(most);
   return {Key::Sign::arrow, longest * spacing * (shown / most) / pixel,
           "|" + request.field + "| = " + short_number(shown)};

@@ -14,7 +14,8 @@ namespace {
 constexpr double title_font = 16, title_line = 20, font = 12, tick_font = 11, tick_length = 4, gap = 8;
 constexpr double bottom_axis = 40;  // ticks, their labels and the name of the axis below the drawing
 constexpr double key_row = 24, key_gap = 24;
-constexpr double least_drawn = 0.35;  // of the width, or else something is left out
+constexpr double least_drawn = 0.35, least_pixels = 60;  // of the width, and at least so many, or something is left out
+constexpr double least_key_width = 100;                  // of the room for keys
 
 std::string group(std::string_view name, const Theme& theme, double size) {
   std::string text = "<g class=\"";
@@ -41,11 +42,11 @@ Frame::Frame(const SvgOptions& options, const Theme& theme, const Box& box, doub
       axes_(options.axes) {
   const std::string pixels = " for a picture " + short_number(options.width) + " pixels wide";
   fit(legend_width);
-  if (drawn_width_ < least_drawn * width_ && side_ > 0) {
+  if (is_too_narrow() && side_ > 0) {
     left_out_.push_back("the legend is too wide" + pixels);
     fit({});
   }
-  if (drawn_width_ < least_drawn * width_ && axes_) {
+  if (is_too_narrow() && axes_) {
     left_out_.push_back("the axes are too wide" + pixels);
     axes_ = false;
     fit({});
@@ -80,6 +81,8 @@ void Frame::fit(const std::function<double(double)>& legend_width) {
   drawn_height_ = (box_.high.y - box_.low.y) / pixel();
   min_height_ = side_ > 0 ? min_legend_height : 0;
 }
+
+bool Frame::is_too_narrow() const { return drawn_width_ < std::max(least_drawn * width_, least_pixels); }
 
 std::string Frame::axis_name(const char* letter) const {
   return options_.unit.empty() ? letter : letter + (" (" + options_.unit + ")");
@@ -138,6 +141,10 @@ double Frame::place_keys(std::vector<Key> keys) {
   double bottom = std::max(keys_top_, top_ + legend_height());
   if (keys.empty()) return std::ceil(bottom);
   const double right = width_ - side_ - gap;
+  if (right - left_ < least_key_width) {
+    left_out_.push_back("the line of keys is too wide for a picture " + short_number(options_.width) + " pixels wide");
+    return std::ceil(bottom);
+  }
   double x = left_ + gap, y = keys_top_ + gap;
   for (Key& key : keys) {
     // A text that is too wide for the line is broken into several.

@@ -58,6 +58,7 @@ class Frame {
   std::vector<Tick> y_ticks() const;
   std::string axis_name(const char* letter) const;
   bool name_fits_beside() const;
+  bool is_too_narrow() const;
 
   const SvgOptions& options_;
   const Theme& theme_;

@@ -153,7 +153,7 @@ std::vector<std::string> tick_labels(const std::vector<double>& ticks) {
     digits = std::clamp(2 + static_cast<int>(std::floor(std::log10(largest)) - std::floor(std::log10(step))), 1, 17);
   std::vector<std::string> labels;
   for (const double tick : ticks)
-    labels.push_back(with_digits(std::abs(tick) < 1e-9 * step ? 0 : tick, std::max(digits, 6)));
+    labels.push_back(with_digits(std::isfinite(step) && std::abs(tick) < 1e-9 * step ? 0 : tick, std::max(digits, 6)));
   return labels;
 }
 
