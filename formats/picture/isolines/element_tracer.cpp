@@ -15,7 +15,10 @@
 namespace pliant {
 namespace {
 
-constexpr int most_halvings = 6;
+constexpr int most_halvings = 3;  // in one go; pieces that are not monotone then are traced as elements of their own
+constexpr int flat_halvings = 6;  // where many pieces are not
+constexpr std::size_t many = 12;  // around a point where the curve crosses itself there are fewer such pieces
+constexpr int most_levels = 8, most_traces = 300;  // of pieces in pieces, and of pieces of one element in all
 constexpr double noise = 1e-13;  // well above the rounding of subdivision; coefficients are about 1 at most
 constexpr double cone = 0.3;     // least cosine between the direction of growth and the gradients of a piece
 
@@ -44,11 +47,24 @@ class Tracer {
   Tracer(const ElementToTrace& element, double tolerance, std::size_t& crossing_count, std::vector<IsolineArc>& arcs)
       : element_(element), tolerance_(tolerance), crossing_count_(crossing_count), arcs_(arcs) {}
 
-  std::size_t trace() {
+  /// `traces`: how many pieces have been traced before in the element that this one is a piece of.
+  std::size_t trace(int level, int& traces) {
     const Corners whole{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
-    n_ = 1 << halvings_needed(element_.field, 0);
+    const int halvings = halvings_needed(element_.field, 0);
+    const bool flat = halvings == most_halvings && doubtful(element_.field, 0) > many;
+    n_ = 1 << (flat ? flat_halvings : halvings);
     visit(whole, {Node{0, 0}, Node{n_, 0}, Node{0, n_}}, element_.field, 1);
-    return uncertain_;
+    std::size_t uncertain = 0;
+    for (const Doubtful& piece : doubtful_) {
+      const bool is_small = size_of(piece.element.geometry) <= tolerance_ / 2;
+      if (!is_small && doubtful_.size() <= many && level < most_levels && ++traces <= most_traces) {
+        uncertain += Tracer(piece.element, tolerance_, crossing_count_, arcs_).trace(level + 1, traces);
+        continue;
+      }
+      for (std::size_t k = 0; k < piece.entries.size(); ++k) join_straight(piece.entries[k], piece.exits[k]);
+      if (!is_small) ++uncertain;
+    }
+    return uncertain;
   }
 
  private:
@@ -61,6 +77,34 @@ class Tracer {
     ArcEnd end;
     std::size_t id;
   };
+  /// A piece in which the polynomial is not known to be monotone.
+  struct Doubtful {
+    ElementToTrace element;
+    std::vector<LocalCrossing> entries, exits;  ///< those that go together if the piece is not looked into
+  };
+
+  static double size_of(const std::vector<double>& geometry) {
+    Box box;
+    for (std::size_t k = 0; k < geometry.size(); k += 2) box.extend({geometry[k], geometry[k + 1]});
+    return box.size();
+  }
+  void join_straight(const LocalCrossing& from, const LocalCrossing& to) {
+    IsolineArc arc{from.id, to.id, {}};
+    if (!(from.end.place == to.end.place)) arc.curves.push_back({from.end.place, to.end.place});
+    arcs_.push_back(std::move(arc));
+  }
+  static bool is_flat(const std::vector<double>& net) {
+    const auto [low, high] = std::minmax_element(net.begin(), net.end());
+    return *high - *low < 100 * noise;
+  }
+  /// How many pieces of the lattice with most_halvings the polynomial is not monotone in.
+  std::size_t doubtful(const std::vector<double>& net, int depth) const {
+    if (has_one_sign(net) || direction_of_growth(element_.field_degree, net)) return 0;
+    if (depth == most_halvings) return 1;
+    std::size_t sum = 0;
+    for (int which = 0; which < 4; ++which) sum += doubtful(child_net(element_.field_degree, 1, net, which), depth + 1);
+    return sum;
+  }
 
   static Corners child(const Corners& c, int which) {
     const auto middle = [&](std::size_t a, std::size_t b) {
@@ -83,10 +127,8 @@ class Tracer {
 
   int halvings_needed(const std::vector<double>& net, int depth) const {
     if (has_one_sign(net)) return 0;
-    const auto [low, high] = std::minmax_element(net.begin(), net.end());
-    if (depth == most_halvings || *high - *low < 100 * noise || direction_of_growth(element_.field_degree, net))
-      return depth;
-    int most = depth;
+    if (depth == most_halvings || is_flat(net) || direction_of_growth(element_.field_degree, net)) return depth;
+    int most = depth + 1;
     for (int which = 0; which < 4 && most < most_halvings; ++which)
       most = std::max(most, halvings_needed(child_net(element_.field_degree, 1, net, which), depth + 1));
     return most;
@@ -133,8 +175,8 @@ class Tracer {
     int step = 0, same = 0;
     const int e = edge_with(node, node, step, same);
     if (e >= 0) {
-      bool above = element_.field[static_cast<std::size_t>(e)] >= 0;
-      if (step == n_) return element_.field[static_cast<std::size_t>((e + 1) % 3)] >= 0;
+      bool above = element_.above[static_cast<std::size_t>(e)];
+      if (step == n_) return element_.above[static_cast<std::size_t>((e + 1) % 3)];
       for (const EdgeCrossing& crossing : element_.crossings[static_cast<std::size_t>(e)])
         if (crossing.s < double(step) / n_) above = !above;
       return above;
@@ -181,6 +223,7 @@ class Tracer {
     const NetLayout& layout = NetLayout::of(element_.field_degree);
     constexpr std::array<Point, 3> local{{{0, 0}, {1, 0}, {0, 1}}};
     std::vector<LocalCrossing> entries, exits;
+    std::array<std::vector<EdgeCrossing>, 3> on_edges;
     bool first_is_entry = true;
     bool above = is_above(nodes[0]);
     for (std::size_t e = 0; e < 3; ++e) {
@@ -197,12 +240,14 @@ class Tracer {
         if (entries.empty() && exits.empty()) first_is_entry = above;
         (above ? entries : exits).push_back({{(1 - s) * local[e] + s * local[next], crossing.place}, crossing.id});
         above = !above;
+        on_edges[e].push_back({s, crossing.id, crossing.place});
       }
     }
-    if (entries.empty() || entries.size() != exits.size()) return;
+    const std::optional<Vector> rise = direction_of_growth(element_.field_degree, net);
+    // Without crossings there is no arc, and where the polynomial may turn back perhaps a closed curve.
+    if (entries.size() != exits.size() || (entries.empty() && (rise || is_flat(net)))) return;
     MonotonePiece piece{element_.degree, std::vector<double>(element_.geometry.size()), element_.field_degree, net, {}};
     sub_net(element_.degree, 2, element_.geometry, corners[0], corners[1], corners[2], piece.geometry);
-    const std::optional<Vector> rise = direction_of_growth(element_.field_degree, net);
     if (rise) {
       piece.rise = *rise;
       // Arcs are graphs over the direction across the rise, one beside the other.
@@ -212,19 +257,22 @@ class Tracer {
       };
       std::stable_sort(entries.begin(), entries.end(), earlier);
       std::stable_sort(exits.begin(), exits.end(), earlier);
-    } else {
-      ++uncertain_;
-      // Each entry goes with the exit that follows it, which leaves no arcs that cross.
-      if (!first_is_entry) std::rotate(exits.begin(), exits.begin() + 1, exits.end());
-    }
-    for (std::size_t k = 0; k < entries.size(); ++k) {
-      IsolineArc arc{entries[k].id, exits[k].id, {}};
-      if (rise)
+      for (std::size_t k = 0; k < entries.size(); ++k) {
+        IsolineArc arc{entries[k].id, exits[k].id, {}};
         draw_arc(piece, entries[k].end, exits[k].end, tolerance_, arc.curves);
-      else if (!(entries[k].end.place == exits[k].end.place))
-        arc.curves.push_back({entries[k].end.place, exits[k].end.place});
-      arcs_.push_back(std::move(arc));
+        arcs_.push_back(std::move(arc));
+      }
+      return;
     }
+    // Each entry goes with the exit that follows it, which leaves no arcs that cross.
+    if (!first_is_entry) std::rotate(exits.begin(), exits.begin() + 1, exits.end());
+    const ElementToTrace inner{element_.degree,
+                               piece.geometry,
+                               element_.field_degree,
+                               net,
+                               {is_above(nodes[0]), is_above(nodes[1]), is_above(nodes[2])},
+                               on_edges};
+    doubtful_.push_back({inner, entries, exits});
   }
 
   const ElementToTrace& element_;
@@ -232,7 +280,7 @@ class Tracer {
   std::size_t& crossing_count_;
   std::vector<IsolineArc>& arcs_;
   int n_ = 1;
-  std::size_t uncertain_ = 0;
+  std::vector<Doubtful> doubtful_;
   std::map<Node, bool> above_;
   std::map<std::pair<Node, Node>, std::vector<Crossing>> lattice_crossings_;
 };
@@ -246,7 +294,8 @@ bool has_one_sign(const std::vector<double>& field) {
 
 std::size_t trace_element(const ElementToTrace& element, double tolerance, std::size_t& crossing_count,
                           std::vector<IsolineArc>& arcs) {
-  return Tracer(element, tolerance, crossing_count, arcs).trace();
+  int traces = 0;
+  return Tracer(element, tolerance, crossing_count, arcs).trace(0, traces);
 }
 
 }  // namespace pliant

@@ -27,11 +27,13 @@ struct ElementToTrace {
   std::vector<double> geometry;  ///< x, y of each control point
   int field_degree;
   std::vector<double> field;  ///< coefficients less the value, so that the isoline is where they vanish
+  std::array<bool, 3> above;  ///< whether the field counts as at least 0 at each corner
   std::array<std::vector<EdgeCrossing>, 3> crossings;  ///< of each edge, in ascending order
 };
 
-/// Appends the arcs in the element; `crossing_count` is the number that the next crossing inside gets. Returns in how
-/// many pieces the arcs are not certain.
+/// Appends the arcs in the element; `crossing_count` is the number that the next crossing inside gets. Around a point
+/// where the curve crosses itself, pieces are halved until they are smaller than the tolerance. Returns in how many
+/// pieces the arcs are not certain: where the field is flat along a whole line.
 std::size_t trace_element(const ElementToTrace& element, double tolerance, std::size_t& crossing_count,
                           std::vector<IsolineArc>& arcs);
 

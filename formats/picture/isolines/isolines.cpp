@@ -31,9 +31,10 @@ class MeshTracer {
   IsolineSet trace() {
     IsolineSet set;
     for (TriangleId t = 0; t < static_cast<TriangleId>(mesh_.triangle_faces.size()); ++t) {
-      ElementToTrace element{mesh_.degree, {}, polynomial_.degree(), polynomial_.on_element(t), {}};
+      ElementToTrace element{mesh_.degree, {}, polynomial_.degree(), polynomial_.on_element(t), {}, {}};
       for (double& coefficient : element.field) coefficient -= level_;
       if (has_one_sign(element.field)) continue;
+      for (std::size_t c = 0; c < 3; ++c) element.above[c] = element.field[c] >= 0;
       for (int e = 0; e < 3; ++e) element.crossings[static_cast<std::size_t>(e)] = crossings(t, e, element.field);
       if (is_nowhere(element)) continue;
       for (const Point& p : element_net(mesh_, t)) element.geometry.insert(element.geometry.end(), {p.x, p.y});
@@ -87,6 +88,12 @@ class MeshTracer {
     return result;
   }
 
+  bool is_small(const Isoline& line) const {
+    Box box;
+    for (const std::vector<Point>& curve : line.curves)
+      for (const Point& p : curve) box.extend(p);
+    return box.size() <= tolerance_;
+  }
   /// Joins the arcs at their crossings. Lines that end at a border come first, then closed ones.
   void chain(std::vector<Isoline>& lines) const {
     constexpr auto nothing = static_cast<std::size_t>(-1);
@@ -102,7 +109,8 @@ class MeshTracer {
         if (arcs_[at].to == arcs_[first].from) line.closed = true;
         at = begins[arcs_[at].to];
       }
-      if (!line.curves.empty()) lines.push_back(std::move(line));
+      // Where a curve crosses itself, the pieces that are joined straight may make a loop of their own size.
+      if (!line.curves.empty() && !(line.closed && is_small(line))) lines.push_back(std::move(line));
     };
     for (std::size_t a = 0; a < arcs_.size(); ++a)
       if (!ends[arcs_[a].from]) follow(a);

@@ -15,7 +15,8 @@ struct Isoline {
 
 struct IsolineSet {
   std::vector<Isoline> lines;
-  /// Places where the field is so flat that the curve is not certain: it is drawn straight across 1/64 of the element.
+  /// Places where the field is flat along a whole line at this value (a ridge), so that the curve is not certain: there
+  /// it is drawn straight across a 64th of the element.
   std::size_t uncertain = 0;
 };
 
