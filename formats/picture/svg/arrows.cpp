@@ -15,6 +15,7 @@
 namespace pliant {
 namespace {
 
+constexpr double longest_key = 40;                   // in pixels
 constexpr double longest = 0.92;                     // of the distance of the grid's points, so that arrows do not meet
 constexpr double shaft_width = 1.3, shortest = 0.8;  // in pixels; what is shorter is drawn as a dot
 
@@ -181,9 +182,9 @@ Key draw_arrows(const Drawing& drawing, const ArrowRequest& request, std::string
   if (most == 0)
     return {Key::Sign::arrow, 0,
             samples.empty() ? request.field + ": no point of the grid is in the mesh" : "|" + request.field + "| = 0"};
-  const double shown = round_below(most);
-  return {Key::Sign::arrow, longest * spacing * (shown / most) / pixel,
-          "|" + request.field + "| = " + short_number(shown)};
+  const double pixels = longest * spacing / pixel;  // of the longest arrow
+  const double shown = round_below(most * std::min(1.0, longest_key / pixels));
+  return {Key::Sign::arrow, pixels * (shown / most), "|" + request.field + "| = " + short_number(shown)};
 }
 
 }  // namespace pliant
