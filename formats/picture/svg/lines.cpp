@@ -22,27 +22,27 @@ Barycentric place_in(const Drawing& drawing, const MeshEdge& edge, TriangleId t,
   return xi;
 }
 
-/// How well an ink is seen on the colours at both sides of an edge.
-double least_contrast(const Drawing& drawing, const MeshEdge& edge, double s, const Rgb& ink) {
-  double least = HUGE_VAL;
+/// How well an ink is seen beside an edge: on the colour of one of its sides is enough.
+double best_contrast(const Drawing& drawing, const MeshEdge& edge, double s, const Rgb& ink) {
+  double best = 0;
   const bool same = drawing.values.is_field() && !drawing.values.depends_on_face();
   for (const TriangleId t : edge.sides) {
-    if (t == none) continue;
-    least = std::min(least, contrast(ink, drawing.color_at(t, place_in(drawing, edge, t, s))));
-    if (same) break;  // the other side has these colours too
+    if (t == none) break;
+    if (t == edge.sides[1] && same) break;  // this side has the other's colours
+    best = std::max(best, contrast(ink, drawing.color_at(t, place_in(drawing, edge, t, s))));
   }
-  return least;
+  return best;
 }
 
 bool prefers_other(const Drawing& drawing, const MeshEdge& edge, double s) {
-  return least_contrast(drawing, edge, s, drawing.theme.ink) < enough_contrast &&
-         least_contrast(drawing, edge, s, drawing.theme.other_ink) >
-             least_contrast(drawing, edge, s, drawing.theme.ink);
+  const double own = best_contrast(drawing, edge, s, drawing.theme.ink);
+  return own < enough_contrast && best_contrast(drawing, edge, s, drawing.theme.other_ink) > own;
 }
 
 /// Along how many of `n` equal parts of the edge the other ink is seen better, and along which.
 std::vector<bool> inks_along(const Drawing& drawing, const MeshEdge& edge) {
-  if (drawing.options.color.kind == ColorBy::Kind::nothing) return {false};
+  // The outer boundary is seen against the paper.
+  if (drawing.options.color.kind == ColorBy::Kind::nothing || edge.sides[1] == none) return {false};
   if (!drawing.values.is_field()) return {prefers_other(drawing, edge, 0.5)};
   constexpr int n = 8;
   const auto ink = [&](int k) { return prefers_other(drawing, edge, (k + 0.5) / n); };
@@ -107,7 +107,7 @@ void draw_inner_edges(const Drawing& drawing, std::string& out) {
 
 void draw_curves(const Drawing& drawing, std::string& out) {
   const MeshData& mesh = drawing.mesh;
-  // Where the ink of curves is hardly seen on a colour beside them, a wider line lies beneath.
+  // Where the ink of curves is hardly seen on the colours at both sides, a wider line lies beneath.
   std::string halo;
   SvgPath in_halo = drawing.path(halo);
   for (const MeshEdge& edge : drawing.edges.edges)
