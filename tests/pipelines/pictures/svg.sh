@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # export-svg from the outside: formats by name and option, equal bytes, themes, layers, isolines, arrows, wrong usage.
-. "${BASH_SOURCE%/*}/common.bash"
+. "${BASH_SOURCE%/*}/../common.bash"
 has_tool export-svg || exit 77
 
 sample_mesh disk 3 0 >disk.json

@@ -1,4 +1,4 @@
-// tests/formats/isolines_test.cpp: isolines are where the field has the value, all of them, in whole lines.
+// tests/formats/picture/isolines_test.cpp: isolines are where the field has the value, all of them, in whole lines.
 #include "formats/picture/isolines/isolines.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// tests/formats/svg_parts_test.cpp: what stands around and above the mesh in a picture: axes, keys, texts, arrows,
+// tests/formats/picture/svg_parts_test.cpp: what stands around and above the mesh in a picture: axes, keys, texts, arrows,
 // isolines, inks.
 #include <algorithm>
 #include <catch2/catch.hpp>

@@ -1,4 +1,4 @@
-// tests/formats/svg_test.cpp: pictures are well-formed, and draw each edge once, as the curve it is.
+// tests/formats/picture/svg_test.cpp: pictures are well-formed, and draw each edge once, as the curve it is.
 #include "formats/picture/svg.h"
 
 #include <algorithm>
