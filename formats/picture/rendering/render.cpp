@@ -9,6 +9,12 @@
 #include <memory>
 #include <stdexcept>
 
+#ifdef __SANITIZE_ADDRESS__
+// Fontconfig and Pango, which librsvg draws text with, keep what they have read of fonts until the process ends.
+extern "C" const char* __lsan_default_suppressions();  // NOLINT(bugprone-reserved-identifier)
+extern "C" const char* __lsan_default_suppressions() { return "leak:libfontconfig\nleak:libpango\nleak:librsvg\n"; }
+#endif
+
 namespace pliant {
 namespace {
 
