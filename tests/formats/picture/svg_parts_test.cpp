@@ -1,5 +1,5 @@
-// tests/formats/picture/svg_parts_test.cpp: what stands around and above the mesh in a picture: axes, keys, texts, arrows,
-// isolines, inks.
+// tests/formats/picture/svg_parts_test.cpp: what stands around and above the mesh in a picture: axes, keys, texts,
+// arrows, isolines, inks.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
