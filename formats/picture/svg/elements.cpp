@@ -18,7 +18,7 @@ constexpr double color_tolerance = 0.01;  // how far a field's colour may be off
 /// The layer of elements while it is being written.
 class ElementLayer {
  public:
-  ElementLayer(const Drawing& drawing, std::string& out) : drawing_(drawing), out_(out), path_(drawing.path(out)) {}
+  ElementLayer(const Drawing& drawing, std::string& out) : drawing_(drawing), path_(drawing.path(out)) {}
   void faces();
   void flat(TriangleId t);
   void shaded(TriangleId t);
@@ -29,7 +29,6 @@ class ElementLayer {
   double place(double value) const { return drawing_.range.place(value); }
 
   const Drawing& drawing_;
-  std::string& out_;
   SvgPath path_;
   int gradients_ = 0;
 };

@@ -222,7 +222,7 @@ void Frame::write_keys(std::string& out) const {
       else
         write_key_arrow({each.x, -y}, w, ink, out);
     }
-    write_text(out, each.x + w + (w > 0 ? gap : gap), y + 4, "", each.key.text);
+    write_text(out, each.x + w + gap, y + 4, "", each.key.text);
   }
   out += "</g>\n";
 }
