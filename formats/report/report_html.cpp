@@ -9,7 +9,7 @@
 #include "formats/document/write_json.h"
 #include "formats/picture/base64.h"
 #include "formats/picture/coloring.h"
-#include "formats/picture/svg_path.h"
+#include "formats/picture/svg/text.h"
 #include "formats/report/report_json.h"
 #include "formats/report/report_page.h"
 #include "pliant/quality/metrics.h"

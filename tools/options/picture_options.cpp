@@ -30,7 +30,10 @@ void PictureOptions::add(CLI::App& app) {
       ->capture_default_str();
   std::string names;
   for (const Colormap& each : colormaps()) names.append(names.empty() ? "" : ", ").append(each.name);
-  app.add_option("--colormap", map_, "one of " + names)->type_name("NAME")->capture_default_str();
+  app.add_option_function<std::string>(
+         "--colormap", [this](const std::string& name) { map_ = name, map_given_ = true; }, "one of " + names)
+      ->type_name("NAME")
+      ->default_str(map_);
   app.add_option("--range", range_, "values of the first and the last colour; by default those of the input")
       ->type_name("LOW:HIGH");
   app.add_option("--subdivide", subdivide, "cut every edge into N pieces; 0: as many as it takes")
