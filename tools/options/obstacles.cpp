@@ -32,10 +32,13 @@ void append_points(const BSpline& spline, bool forward, std::vector<Point>& out)
   for (const double t : parameters) out.push_back(spline.evaluate(t));
 }
 
-/// Closed curves, and open ones joined to loops. Where more than two meet any way to join them fills the same area.
+/// The outline of all faces together: closed curves, and open ones joined to loops. Where more than two meet any way to
+/// join them fills the same area.
 std::vector<std::vector<Point>> loops_of(const BoundaryComplex& boundary) {
   std::vector<std::vector<Point>> loops;
   std::vector<bool> is_used(boundary.curves.size(), false);
+  for (std::size_t c = 0; c < boundary.curves.size(); ++c)
+    is_used[c] = boundary.curves[c].left != outside && boundary.curves[c].right != outside;
   std::multimap<int, std::size_t> at_vertex;
   for (std::size_t c = 0; c < boundary.curves.size(); ++c)
     for (const int vertex : {boundary.curves[c].start, boundary.curves[c].end})
@@ -80,7 +83,9 @@ std::vector<std::vector<Point>> read_outlines(const std::string& file) {
   const std::string bytes{std::istreambuf_iterator<char>(in), {}};
   if (!in.is_open() || in.bad()) throw std::system_error(errno, std::generic_category(), file);
   try {
-    return loops_of(read_svg(bytes).boundary);
+    SvgReadOptions options;
+    options.planar = true;  // shapes may lie over each other
+    return loops_of(read_svg(bytes, options).boundary);
   } catch (const InputError& error) {
     throw InputError("",
                      "--svg " + file + ": " + (error.pointer().empty() ? "" : error.pointer() + ": ") + error.what());
