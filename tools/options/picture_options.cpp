@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "options/numbers.h"
+#include "options/obstacles.h"
 #include "run/exit_status.h"
 
 namespace pliant {
@@ -59,11 +60,7 @@ void PictureOptions::check() {
     if (ends[0] > ends[1]) throw UsageError("--range " + range_ + ": LOW is above HIGH");
     range = {ends[0], ends[1]};
   }
-  for (const std::string& text : circles_) {
-    const std::vector<double> numbers = parse_numbers("--circle", text, ',', 3, "X,Y,R");
-    if (!(numbers[2] > 0)) throw UsageError("--circle " + text + ": the radius must be positive");
-    circles.push_back({{numbers[0], numbers[1]}, numbers[2]});
-  }
+  circles = parse_circles(circles_);
 }
 
 }  // namespace pliant
