@@ -26,11 +26,13 @@ void PictureOptions::add(CLI::App& app) {
   app.add_option("--color", color_,
                  "what colours the elements: none, face, field:NAME[.COMPONENT] (counted from 0; without it the "
                  "length), or a metric of qualityreport")
-      ->type_name("WHAT")
+      ->type_name("none|face|field:FIELD[.COMPONENT]|METRIC")
       ->capture_default_str();
   std::string names;
-  for (const Colormap& each : colormaps()) names.append(names.empty() ? "" : ", ").append(each.name);
-  app.add_option("--colormap", map_, "one of " + names)->type_name("NAME")->capture_default_str();
+  for (const Colormap& each : colormaps()) names.append(names.empty() ? "" : "|").append(each.name);
+  app.add_option("--colormap", map_, "the colours, from the least value to the greatest")
+      ->type_name(names)
+      ->capture_default_str();
   app.add_option("--range", range_, "values of the first and the last colour; by default those of the input")
       ->type_name("LOW:HIGH");
   app.add_option("--subdivide", subdivide, "cut every edge into N pieces; 0: as many as it takes")
