@@ -4,6 +4,7 @@ import pty
 import re
 import select
 import shutil
+import signal
 import time
 
 
@@ -41,6 +42,7 @@ class Terminal:
         return self.wait_for("\x02(.*?)\x03").group(1).split("\x1f")[:-1]
 
     def close(self):
+        os.kill(self.pid, signal.SIGKILL)
         os.close(self.fd)
         os.waitpid(self.pid, 0)
 

@@ -62,6 +62,7 @@ _pliant_words() {
     if [[ ! $piece ]]; then fresh=1; fi
   done
   if [[ $tail && ! ${tail//[=:<>@|&;]/} ]]; then head+=$tail tail=''; fi
+  if [[ $head == *@ ]]; then head=${head%@} tail=@$tail; fi  # which bash replaces with what is behind it
   words=()
   for piece in "${raw[@]}"; do
     _pliant_unquote "$piece"
@@ -156,7 +157,7 @@ _@FUNCTION@() {
 # Asks the tool itself for the names that the option may have, some of which are in the input.
 _pliant_ask() {
   local others=("${words[@]:1:at-1}") answer=() tool
-  if [[ $option ]]; then others+=("${words[@]:at+1}"); fi
+  if [[ $option ]]; then others=("${words[@]:1}"); fi
   tool=$(type -P -- "${words[0]}") || tool=@TOOL@
   mapfile -t -d '' answer < <("$tool" --complete-value "$option" "${current#"$before"}" "${others[@]}" 2>/dev/null)
   choices=("${answer[@]:1}")

@@ -35,8 +35,8 @@ std::string zsh_completion(const CLI::App& app);
 
 /// What `TOOL --complete-value OPTION TYPED WORDS...` prints for the scripts: "files EXTENSION..." if the value may be
 /// a file, else nothing; then each candidate for the whole value. Each part ends with a zero byte, since names may
-/// hold all others. OPTION is empty for the word that belongs to no option; WORDS are the other words of the command
-/// line behind the tool, in which INPUT is looked for.
+/// hold all others. OPTION is empty for the word that belongs to no option; WORDS are those behind the
+/// tool, in which INPUT is looked for: all, or for an empty OPTION those in front of this one.
 std::string value_candidates(const CLI::App& app, const std::vector<std::string>& words);
 
 /// Answers `TOOL --complete-value ...`; false for any other command line. It takes two seconds at most.

@@ -16,7 +16,7 @@ _pliant_ask() {
   local tool=${(Q)words[1]} typed=${(Q)PREFIX} name
   local -a others answer whole begun
   others=("${(@Q)words[2,CURRENT-1]}")
-  if [[ -n $1 ]]; then others+=("${(@Q)words[CURRENT+1,-1]}"); fi
+  if [[ -n $1 ]]; then others=("${(@Q)words[2,-1]}"); fi
   (( $+commands[$tool] )) || [[ -x $tool ]] || tool=@TOOL@
   answer=("${(@0)"$("$tool" --complete-value "$1" "$typed" "${others[@]}" 2>/dev/null)"}")
   for name in "${(@)answer[2,-1]}"; do
@@ -42,7 +42,7 @@ _@FUNCTION@() {
   _arguments -s -S \
 @SPECIFICATIONS@}
 
-if [[ $zsh_eval_context[-1] == loadautofunc ]]; then
+if [[ $funcstack[1] == _@TOOL@ ]]; then  # called by the name of its file
   _@FUNCTION@ "$@"
 else
   compdef _@FUNCTION@ @TOOL@
@@ -72,10 +72,11 @@ std::string joined(const std::vector<std::string>& words) {
   return all;
 }
 
-/// How a value of this form is completed; `name` is one of the option's, or empty.
+/// How a value of this form is completed; `name` is one of the option's, or empty. The space in front keeps _arguments
+/// from adding arguments of its own.
 std::string action(const ValueForm& form, const std::string& name, bool asks) {
-  if (form.has_names || asks) return "_pliant_ask \"" + name + "\"";
-  if (form.is_file) return "_pliant_files " + joined(form.extensions);
+  if (form.has_names || asks) return " _pliant_ask \"" + name + "\"";
+  if (form.is_file) return " _pliant_files " + joined(form.extensions);
   if (form.choices.empty()) return " ";
   return "(" + joined(form.choices) + ")";
 }
