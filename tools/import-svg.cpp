@@ -126,10 +126,10 @@ int main(int argc, char** argv) {
       ->capture_default_str();
   app.add_option("--unit", unit,
                  "mm, cm, in or px: coordinates are lengths on the page; without it they are user units")
-      ->type_name("UNIT");
+      ->type_name("mm|cm|in|px");
   app.add_option("--strokes", strokes,
                  "curves: strokes cut faces; area: what they paint becomes faces; implies --planar")
-      ->type_name("KIND");
+      ->type_name("curves|area");
   app.add_flag("--planar", svg.planar, "take shapes that meet; each face is what is seen of its shape");
   return run_tool(app, argc, argv, options, [&] {
     constexpr double least_tolerance = 1e-12;

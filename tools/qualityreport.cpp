@@ -85,7 +85,7 @@ struct ReportOptions {
         ->check(width_of_bounds())
         ->capture_default_str();
     app.add_option("--face", quality.faces, "measure this face only; repeatable")
-        ->type_name("NAME")
+        ->type_name("FACE")
         ->allow_extra_args(false);
     app.add_option("--fail-if", condition_texts, "exit with status 1 if this holds for any frame; repeatable")
         ->type_name("'KEY OP NUMBER'")

@@ -27,13 +27,14 @@ void PictureOptions::add(CLI::App& app) {
   app.add_option("--color", color_,
                  "what colours the elements: none, face, field:NAME[.COMPONENT] (counted from 0; without it the "
                  "length), or a metric of qualityreport")
-      ->type_name("WHAT")
+      ->type_name("none|face|field:FIELD[.COMPONENT]|METRIC")
       ->capture_default_str();
   std::string names;
-  for (const Colormap& each : colormaps()) names.append(names.empty() ? "" : ", ").append(each.name);
+  for (const Colormap& each : colormaps()) names.append(names.empty() ? "" : "|").append(each.name);
   app.add_option_function<std::string>(
-         "--colormap", [this](const std::string& name) { map_ = name, map_given_ = true; }, "one of " + names)
-      ->type_name("NAME")
+         "--colormap", [this](const std::string& name) { map_ = name, map_given_ = true; },
+         "the colours, from the least value to the greatest")
+      ->type_name(names)
       ->default_str(map_);
   app.add_option("--range", range_, "values of the first and the last colour; by default those of the input")
       ->type_name("LOW:HIGH");
