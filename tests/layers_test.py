@@ -29,6 +29,7 @@ ROOMS = [
     (re.compile(r"ceres/|glog/"), {"improve"}, False),
     (re.compile(r"nlohmann/json_fwd\.hpp"), {"formats"}, True),
     (re.compile(r"nlohmann/(?!json_fwd\.hpp)|simdjson|tiny_gltf|expat|zlib"), {"formats"}, False),
+    (re.compile(r"librsvg/|cairo"), {"formats"}, False),
     (re.compile(r"muParser"), {"tools"}, False),
     (re.compile(r"CLI/"), {"tools"}, True),
     (re.compile(r"catch2?/"), set(), False),

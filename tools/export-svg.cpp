@@ -1,21 +1,46 @@
-// tools/export-svg.cpp: draws a mesh as SVG.
+// tools/export-svg.cpp: draws a mesh as SVG, PNG or PDF.
 #include <CLI/CLI.hpp>
 #include <optional>
 #include <stdexcept>
 
 #include "formats/picture/svg.h"
+#include "options/drawing_options.h"
 #include "options/frame_option.h"
 #include "options/numbers.h"
 #include "options/picture_options.h"
 #include "run/exit_status.h"
 #include "run/output_file.h"
 #include "run/run_tool.h"
+#ifdef PLIANT_RSVG
+#include "formats/picture/rendering/render.h"
+#endif
+
+namespace {
+
+/// The picture in the format that is wanted.
+std::string in_format(std::string svg, pliant::DrawingOptions::Format format) {
+#ifdef PLIANT_RSVG
+  using namespace pliant;
+  if (format == DrawingOptions::Format::svg) return svg;
+  try {
+    return render_svg(svg, format == DrawingOptions::Format::png ? RenderedFormat::png : RenderedFormat::pdf);
+  } catch (const std::runtime_error& error) {
+    throw NoResult(error.what());
+  }
+#else
+  static_cast<void>(format);
+  return svg;
+#endif
+}
+
+}  // namespace
 
 int main(int argc, char** argv) {
   using namespace pliant;
-  CLI::App app{"Draw one mesh as an SVG picture with exact curves.", "export-svg"};
+  CLI::App app{"Draw one mesh as a picture with exact curves: SVG, PNG or PDF.", "export-svg"};
   ToolOptions options;
   PictureOptions picture;
+  DrawingOptions drawing;
   SvgOptions svg;
   FrameOption frame;
   std::string box, resolution;
@@ -23,7 +48,7 @@ int main(int argc, char** argv) {
   add_common_options(app, options, false);
   picture.add(app);
   frame.add(app);
-  app.add_flag("--control-net", svg.control_net, "draw the control nets too");
+  drawing.add(app);
   app.add_option("--width", svg.width, "of the picture, in pixels")
       ->type_name("PIXELS")
       ->check(CLI::Range(50.0, 100000.0))
@@ -37,7 +62,8 @@ int main(int argc, char** argv) {
   return run_tool(app, argc, argv, options, [&] {
     picture.check();
     svg.color = picture.color;
-    svg.map = picture.map;
+    if (picture.names_map()) svg.map = picture.map;
+    drawing.check(options.output, svg);
     svg.range = picture.range;
     svg.subdivide = picture.subdivide;
     svg.edges = !picture.no_edges;
@@ -57,11 +83,14 @@ int main(int argc, char** argv) {
     OutputFile output(options.output);
     std::string text;
     const MeshData mesh = frame.read(options);
+    std::vector<std::string> left_out;
     try {
-      write_svg(mesh, svg, text);
+      left_out = write_svg(mesh, svg, text);
     } catch (const std::invalid_argument& error) {
-      throw UsageError(std::string("--color: ") + error.what());
+      throw UsageError(error.what());
     }
+    for (const std::string& words : left_out) say(options, words + "; it is left out");
+    text = in_format(std::move(text), drawing.format());
     output.write(text);
     output.commit();
     say_written(options, 1, mesh.triangle_faces.size(), text.size());

@@ -108,7 +108,7 @@ int main(int argc, char** argv) {
                "Lagrange triangles, with their points on the curves, in place of B\u00e9zier triangles");
   app.add_flag("--curves", vtu.curves, "the edges on curves as cells too");
   app.add_option("--metric", metrics, "a metric of qualityreport as cell data; repeatable; or alone: all, none")
-      ->type_name("NAME")
+      ->type_name("METRIC|all|none")
       ->allow_extra_args(false)
       ->capture_default_str();
   frame.add(app);

@@ -1,9 +1,12 @@
 // tools/import-svg.cpp: reads the filled shapes of a drawing as a boundary.
 #include <CLI/CLI.hpp>
+#include <array>
 #include <cerrno>
 #include <cstdio>
 #include <memory>
+#include <string_view>
 #include <system_error>
+#include <utility>
 
 #include "formats/document/byte_source.h"
 #include "formats/document/mesh_document.h"
@@ -57,8 +60,10 @@ PassReport summarize(const SvgImport& import) {
   count("slivers", import.slivers);
   report.add("sliver_area", import.sliver_area);
   count("covered", import.covered);
+  count("lines", import.lines);
+  count("bare_lines", import.bare_lines);
   report.notes = import.warnings;
-  report.notes.insert(report.notes.end(), import.notes.begin(), import.notes.end());
+  report.notes.insert(report.notes.end(), import.costs.begin(), import.costs.end());
   return report;
 }
 
@@ -78,13 +83,31 @@ int parse_degree(const std::string& text) {
   return static_cast<int>(degree);
 }
 
+Strokes parse_strokes(const std::string& text) {
+  if (text.empty()) return Strokes::left_out;
+  if (text == "curves") return Strokes::curves;
+  if (text == "area") return Strokes::area;
+  throw UsageError("--strokes: '" + text + "' is neither curves nor area");
+}
+
+LengthUnit parse_unit(const std::string& text) {
+  static constexpr std::array<std::pair<std::string_view, LengthUnit>, 5> units{{{"", LengthUnit::user},
+                                                                                 {"mm", LengthUnit::mm},
+                                                                                 {"cm", LengthUnit::cm},
+                                                                                 {"in", LengthUnit::in},
+                                                                                 {"px", LengthUnit::px}}};
+  for (const auto& [name, unit] : units)
+    if (name == text) return unit;
+  throw UsageError("--unit: '" + text + "' is none of mm, cm, in, px");
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app{"Read the filled shapes of an SVG drawing as a boundary of B-splines.", "import-svg"};
+  CLI::App app{"Read the shapes of an SVG drawing as a boundary of B-splines.", "import-svg"};
   ToolOptions options;
   SvgReadOptions svg;
-  std::string degree = "2", tolerance = "1e-6";
+  std::string degree = "2", tolerance = "1e-6", unit, strokes;
   add_common_options(app, options);
   add_form_option(app, options);
   app.get_option("--to")->description("the form of the document; json by default");
@@ -95,6 +118,12 @@ int main(int argc, char** argv) {
                  "of cubic curves and arcs that are fitted, and of what meets, as a part of the drawing's size")
       ->type_name("T")
       ->capture_default_str();
+  app.add_option("--unit", unit,
+                 "mm, cm, in or px: coordinates are lengths on the page; without it they are user units")
+      ->type_name("mm|cm|in|px");
+  app.add_option("--strokes", strokes,
+                 "curves: strokes cut faces; area: what they paint becomes faces; implies --planar")
+      ->type_name("curves|area");
   app.add_flag("--planar", svg.planar, "take shapes that meet; each face is what is seen of its shape");
   return run_tool(app, argc, argv, options, [&] {
     constexpr double least_tolerance = 1e-12;
@@ -102,7 +131,8 @@ int main(int argc, char** argv) {
     svg.tolerance = parse_positive("--tolerance", tolerance);
     if (svg.tolerance < least_tolerance || svg.tolerance > 1)
       throw UsageError("--tolerance: '" + tolerance + "' is not between 1e-12 and 1");
-    svg.compares = options.verbose || !options.report.empty();
+    svg.unit = parse_unit(unit);
+    svg.strokes = parse_strokes(strokes);
     OutputFile output(options.output);
     FrameReports reports(options);
     Stopwatch watch;
@@ -116,8 +146,10 @@ int main(int argc, char** argv) {
       const std::string other = describe_other_kind(bytes, FileKind::svg);
       throw InputError("", other.empty() ? with_file(frame.source, e) : frame.source + ": " + other);
     }
-    if (!options.verbose)  // else they are notes of the report
+    if (!options.verbose) {  // else they are notes of the report
       for (const std::string& warning : import.warnings) say(options, frame.source + ": " + warning);
+      for (const std::string& cost : import.costs) say(options, frame.source + ": " + cost);
+    }
     const double read = watch.lap();
     record(options, import.boundary.extra);
     std::string text;

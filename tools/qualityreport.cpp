@@ -9,6 +9,7 @@
 #include "formats/report/report_html.h"
 #include "formats/report/report_json.h"
 #include "formats/report/report_text.h"
+#include "options/obstacles.h"
 #include "pliant/geometry/describe.h"
 #include "pliant/mesh/documents/document_unit.h"
 #include "pliant/quality/element/condition.h"
@@ -50,6 +51,9 @@ struct ReportOptions {
   QualityOptions quality;
   std::string format = "text";
   std::string title;
+  std::vector<std::string> circle_texts, drawings;
+  std::vector<Circle> circles;
+  std::vector<std::vector<Point>> outlines;
   std::vector<std::string> condition_texts;
   std::vector<Condition> conditions;
 
@@ -60,6 +64,13 @@ struct ReportOptions {
         ->check(CLI::IsMember({"text", "json", "csv", "html"}).description(""))
         ->capture_default_str();
     app.add_option("--title", title, "heading of the HTML page")->type_name("TEXT");
+    app.add_option("--circle", circle_texts, "draw a disk, an obstacle say, on the HTML page; repeatable")
+        ->type_name("X,Y,R")
+        ->allow_extra_args(false);
+    app.add_option("--svg", drawings,
+                   "draw the filled shapes of an SVG drawing as obstacles on the HTML page; repeatable")
+        ->type_name("FILE")
+        ->allow_extra_args(false);
     app.add_option("--worst", quality.worst, "list this many worst elements of each metric")
         ->type_name("N")
         ->check(count_up_to(10'000'000))
@@ -74,7 +85,7 @@ struct ReportOptions {
         ->check(width_of_bounds())
         ->capture_default_str();
     app.add_option("--face", quality.faces, "measure this face only; repeatable")
-        ->type_name("NAME")
+        ->type_name("FACE")
         ->allow_extra_args(false);
     app.add_option("--fail-if", condition_texts, "exit with status 1 if this holds for any frame; repeatable")
         ->type_name("'KEY OP NUMBER'")
@@ -82,6 +93,11 @@ struct ReportOptions {
   }
 
   void check() {
+    if (format != "html" && !(circle_texts.empty() && drawings.empty()))
+      throw UsageError("--circle and --svg belong to --format html");
+    circles = parse_circles(circle_texts);
+    for (const std::string& file : drawings)
+      for (std::vector<Point>& outline : read_outlines(file)) outlines.push_back(std::move(outline));
     for (const std::string& text : condition_texts) {
       try {
         conditions.emplace_back(text);
@@ -110,7 +126,8 @@ class ReportWriter {
       if (!has_begun_) write_csv_header(elements, text_);
       write_csv_elements(mesh, elements, frame.index, text_);
     } else if (options_.format == "html") {
-      if (!has_begun_) HtmlReport::begin({title(frame), options_.quality.worst}, text_);
+      if (!has_begun_)
+        HtmlReport::begin({title(frame), options_.quality.worst, options_.circles, options_.outlines}, text_);
       HtmlReport::frame(mesh, report, elements, frame.source, text_);
     } else {
       if (has_begun_) text_ += '\n';

@@ -25,8 +25,10 @@ constexpr std::array plasma{rgb(0x0d0887), rgb(0x46039f), rgb(0x7201a8), rgb(0x9
                             rgb(0xd8576b), rgb(0xed7953), rgb(0xfb9f3a), rgb(0xfdca26), rgb(0xf0f921)};
 constexpr std::array blue_red{rgb(0x2a4a94), rgb(0x5f8ac4), rgb(0xaccbe3), rgb(0xf2f0eb),
                               rgb(0xeebc9f), rgb(0xd0705a), rgb(0x97252f)};
-constexpr std::array<Colormap, 4> maps{
-    {{"viridis", viridis}, {"magma", magma}, {"plasma", plasma}, {"blue-red", blue_red}}};
+// From light to dark, so that a print in one ink shows the order; it ends well before black, which lines are drawn in.
+constexpr std::array grey{rgb(0xf5f5f5), rgb(0x4a4a4a)};
+constexpr std::array<Colormap, 5> maps{
+    {{"viridis", viridis}, {"magma", magma}, {"plasma", plasma}, {"blue-red", blue_red}, {"grey", grey}}};
 constexpr std::array faces{rgb(0x5b8ec9), rgb(0xe58a5c), rgb(0x6fb58a), rgb(0xc76b84), rgb(0x8d7cc0),
                            rgb(0xd9b650), rgb(0x5fb3bd), rgb(0xa88468), rgb(0xd391bd), rgb(0x9aa3ad)};
 
@@ -132,11 +134,10 @@ ElementValues::ElementValues(const MeshData& mesh, const ColorBy& by) : mesh_(me
   if (field_->components == 1) component_ = 0;
 }
 
-double ElementValues::at(TriangleId t, const Barycentric& xi) const {
-  if (field_ == nullptr) return of_element(t);
+void ElementValues::control_values(TriangleId t, std::vector<double>& rows) const {
   const auto width = static_cast<std::size_t>(field_->components);
   const std::span<const PointId> net = net_of(mesh_, t);
-  std::vector<double> rows, value(width);
+  rows.clear();
   rows.reserve(net.size() * width);
   for (const PointId p : net) {
     std::size_t row = static_cast<std::size_t>(p);
@@ -148,6 +149,12 @@ double ElementValues::at(TriangleId t, const Barycentric& xi) const {
     const auto first = field_->values.begin() + static_cast<std::ptrdiff_t>(row * width);
     rows.insert(rows.end(), first, first + field_->components);
   }
+}
+
+double ElementValues::at(TriangleId t, const Barycentric& xi) const {
+  if (field_ == nullptr) return of_element(t);
+  std::vector<double> rows, value(static_cast<std::size_t>(field_->components));
+  control_values(t, rows);
   evaluate_net(mesh_.degree, field_->components, rows, xi, value);
   return row_value(value);
 }

@@ -29,7 +29,7 @@ struct Colormap {
   /// The colour at s, which is first limited to [0, 1].
   Rgb at(double s) const;
 };
-/// The names of the maps: viridis, magma, plasma, blue-red.
+/// The names of the maps: viridis, magma, plasma, blue-red, grey.
 std::span<const Colormap> colormaps();
 /// The map of this name, or null if there is none.
 const Colormap* find_colormap(std::string_view name);
@@ -68,6 +68,11 @@ class ElementValues {
   double of_element(TriangleId t) const { return flat_[static_cast<std::size_t>(t)]; }
   /// The function's value at a point of the element; for a metric the element's number.
   double at(TriangleId t, const Barycentric& xi) const;
+  /// The field, and its component: none if all count together as the length of a vector.   Requires    is_field()
+  const Field& field() const { return *field_; }
+  std::optional<int> component() const { return component_ < 0 ? std::nullopt : std::optional(component_); }
+  /// The field's control values on the element, all components of each.   Requires    is_field()
+  void control_values(TriangleId t, std::vector<double>& rows) const;
   /// How far the function is from the linear function of the plane that agrees with it at the element's corners: the
   /// greatest difference at the edges' midpoints and the middle.
   double departure(TriangleId t) const;

@@ -13,8 +13,12 @@
 #include <tiny_gltf.h>
 
 #include "formats/document/document_value.h"
+#include "formats/picture/gltf_animation.h"
 #include "formats/picture/gltf_buffer.h"
+#include "formats/picture/gltf_extras.h"
+#include "formats/picture/gltf_height.h"
 #include "formats/picture/gltf_place.h"
+#include "formats/picture/gltf_surface.h"
 #include "formats/picture/mesh_edges.h"
 #include "formats/picture/tessellation.h"
 #include "pliant/mesh/check_mesh.h"
@@ -24,14 +28,15 @@ namespace {
 
 using tinygltf::Value;
 
-constexpr double color_tolerance = 0.01;  // how far a field's colour may be off, as a part of the frame's range
-constexpr double color_spread = 0.15;     // how much a piece's corners may differ, as a part of the frame's range:
-                                          // viewers mix their colours, and leave the map if these are far apart
-constexpr double layer = 5e-4;            // height of lines above the fill, and of outlines above lines, as a part of
-                                          // the mesh's size
+constexpr double color_tolerance = 0.01;    // how far a field's colour may be off, as a part of the frame's range
+constexpr double color_spread = 0.15;       // how much a piece's corners may differ, as a part of the frame's range:
+                                            // viewers mix their colours, and leave the map if these are far apart
+constexpr double layer = 5e-4;              // height of lines above the fill, and of outlines above lines, as a part of
+                                            // the mesh's size
+constexpr double height_tolerance = 0.005;  // how far heights may be off, as a part of the frame's range
+constexpr double least_height = 1e-30;      // of a frame's box; a flat one has this, so that layers can be scaled back
 constexpr int circle_corners = 128;
-constexpr Rgb ink{0.078, 0.137, 0.18};
-constexpr Rgb plain{0.86, 0.89, 0.92};
+constexpr Rgb ink{0.078, 0.137, 0.18}, plain{0.86, 0.89, 0.92};
 
 tinygltf::Primitive primitive(int positions, int indices, int material, int mode) {
   tinygltf::Primitive result;
@@ -42,59 +47,41 @@ tinygltf::Primitive primitive(int positions, int indices, int material, int mode
   return result;
 }
 
-/// What other programs may read beside the scene: JSON, in the values of the writer of glTF, which sorts members.
-Value extras_of(const Json& json) {
-  switch (json.type()) {
-    case Json::value_t::object: {
-      Value::Object members;
-      for (const auto& [name, member] : json.get_ref<const Json::object_t&>()) members[name] = extras_of(member);
-      return Value(std::move(members));
-    }
-    case Json::value_t::array: {
-      Value::Array elements;
-      for (const Json& element : json) elements.push_back(extras_of(element));
-      return Value(std::move(elements));
-    }
-    case Json::value_t::string:
-      return Value(json.get<std::string>());
-    case Json::value_t::boolean:
-      return Value(json.get<bool>());
-    case Json::value_t::number_integer:
-    case Json::value_t::number_unsigned:
-      // Its integers have 32 bits.
-      if (json == json.get<int>()) return Value(json.get<int>());
-      return Value(json.get<double>());
-    case Json::value_t::number_float:
-      return Value(json.get<double>());
-    default:
-      return {};
-  }
-}
-
 }  // namespace
 
 struct GltfWriter::State {
+  /// A box of positions, with the node that places it and, for each part in it, the node and its layer.
+  struct PlacedBox {
+    int node;
+    GltfBox box;
+    std::vector<std::pair<int, int>> parts;
+  };
+
   explicit State(GltfOptions given) : options(std::move(given)), buffer(options.quantize) {}
 
   int add_colors(const Tessellation& pieces);
-  int material(int& slot, const char* name, const Rgb& color, double opacity);
-  int add_node(const char* name, const std::vector<tinygltf::Primitive>& primitives, const Box& box, double height);
-  void add_outlines(const MeshData& mesh, std::vector<Point>& vertices, std::vector<std::uint32_t>& triangles) const;
-  /// Gives a frame's node its children: elements, invalid ones, edges, and curves as a strip of triangles.
-  void add_parts(const Tessellation& pieces, const std::vector<Point>& curve_points,
-                 const std::vector<std::uint32_t>& curve_triangles, const Box& box, tinygltf::Node& frame);
+  int material(int& slot, const char* name, const Rgb& color, double opacity, bool lit = false);
+  int add_node(const char* name, const tinygltf::Primitive& primitive);
+  TessellationOptions cut_options(const ValueRange& own_range, const ElementValues* heights,
+                                  const std::vector<TriangleId>& without) const;
+  /// Gives a frame's node its children: elements, invalid ones, edges, and curves as a band of triangles.
+  void add_parts(const Tessellation& pieces, const GltfBand& band, const GltfBox& box, tinygltf::Node& frame);
+  void place_boxes();
+  tinygltf::Value asset_extras() const;
   void add_circles();
   void color_vertices();
-  void animate();
 
   GltfOptions options;
   GltfBuffer buffer;
   tinygltf::Model model;
   std::vector<double> values;  // the values of all coloured vertices of all frames; their faces if these colour
   ValueRange range;
-  std::string title;
+  std::string title, height_title;
   std::vector<int> frames;  // the node of each frame
   std::vector<int> circle_nodes;
+  std::vector<PlacedBox> boxes;
+  GltfHeights heights;
+  Json history;  // of the first mesh
   GltfPlace place;
   double size = 0;  // size of the first mesh, in the place's unit
   int fill = -1, lines = -1, outline = -1, invalid = -1, obstacle = -1;
@@ -108,7 +95,7 @@ int GltfWriter::State::add_colors(const Tessellation& pieces) {
   return buffer.reserve_colors(pieces.vertices.size());
 }
 
-int GltfWriter::State::material(int& slot, const char* name, const Rgb& color, double opacity) {
+int GltfWriter::State::material(int& slot, const char* name, const Rgb& color, double opacity, bool lit) {
   if (slot >= 0) return slot;
   tinygltf::Material material;
   material.name = name;
@@ -116,47 +103,26 @@ int GltfWriter::State::material(int& slot, const char* name, const Rgb& color, d
   material.pbrMetallicRoughness.baseColorFactor = {linear[0], linear[1], linear[2], opacity};
   material.doubleSided = true;
   if (opacity < 1) material.alphaMode = "BLEND";
-  material.extensions["KHR_materials_unlit"] = Value(Value::Object{});
+  if (lit) {
+    material.pbrMetallicRoughness.metallicFactor = 0;
+    material.pbrMetallicRoughness.roughnessFactor = 0.8;
+  } else {
+    material.extensions["KHR_materials_unlit"] = Value(Value::Object{});
+  }
   model.materials.push_back(std::move(material));
   return slot = static_cast<int>(model.materials.size()) - 1;
 }
 
-int GltfWriter::State::add_node(const char* name, const std::vector<tinygltf::Primitive>& primitives, const Box& box,
-                                double height) {
+int GltfWriter::State::add_node(const char* name, const tinygltf::Primitive& primitive) {
   tinygltf::Mesh mesh;
   mesh.name = name;
-  mesh.primitives = primitives;
+  mesh.primitives = {primitive};
   model.meshes.push_back(std::move(mesh));
   tinygltf::Node node;
   node.name = name;
   node.mesh = static_cast<int>(model.meshes.size()) - 1;
-  if (options.quantize) {
-    const Vector extent = box.high - box.low;
-    node.translation = {box.low.x, box.low.y, height * layer * size};
-    node.scale = {extent.x, extent.y, 1};
-  } else if (height > 0) {
-    node.translation = {0, 0, height * layer * size};
-  }
   model.nodes.push_back(std::move(node));
   return static_cast<int>(model.nodes.size()) - 1;
-}
-
-/// Adds a band along each constrained edge: most viewers draw lines no wider than a pixel.
-void GltfWriter::State::add_outlines(const MeshData& mesh, std::vector<Point>& vertices,
-                                     std::vector<std::uint32_t>& triangles) const {
-  const double half = (options.outline_width ? *options.outline_width / place.scale : size / 400) / 2;
-  for (const ConstrainedEdge& edge : mesh.constrained_edges) {
-    const std::vector<Point> polygon = positions(mesh, edge.points);
-    const int n = options.subdivide > 0 ? options.subdivide : edge_pieces(polygon, options.tolerance * size);
-    const Polyline line = sample_edge(polygon, n);
-    for (std::size_t k = 0; k < line.points.size(); ++k) {
-      const Vector across = perpendicular(line.tangents[k]) * half;
-      const auto at = static_cast<std::uint32_t>(vertices.size());
-      vertices.push_back(line.points[k] - across);
-      vertices.push_back(line.points[k] + across);
-      if (k > 0) triangles.insert(triangles.end(), {at - 2, at, at - 1, at - 1, at, at + 1});
-    }
-  }
 }
 
 void GltfWriter::State::add_circles() {
@@ -170,13 +136,14 @@ void GltfWriter::State::add_circles() {
       const auto i = static_cast<std::uint32_t>(k);
       if (k > 1) triangles.insert(triangles.end(), {0, i - 1, i});
     }
-    Box box;
-    for (const Point& p : corners) box.extend(p);
-    require_drawable(box);
-    const int at = buffer.add_positions(corners, box);
+    GltfBox box;
+    box.extend(corners, {});
+    require_drawable(box.plane);
+    const int at = buffer.add_positions(corners, {}, box);
     const auto disk = primitive(at, buffer.add_indices(triangles, corners.size()),
                                 material(obstacle, "obstacle", obstacle_color, 1), TINYGLTF_MODE_TRIANGLES);
-    circle_nodes.push_back(add_node("obstacle", {disk}, box, 0));
+    circle_nodes.push_back(add_node("obstacle", disk));
+    boxes.push_back({circle_nodes.back(), box, {}});
   }
 }
 
@@ -192,64 +159,90 @@ void GltfWriter::State::color_vertices() {
   }
 }
 
-/// Animates the frames' nodes: each is shown (scale 1) during its frame and hidden (scale 0) otherwise.
-void GltfWriter::State::animate() {
-  const auto key = [this](std::size_t i) { return static_cast<float>(double(i) / options.frames_per_second); };
-  const std::size_t count = frames.size();
-  tinygltf::Animation animation;
-  animation.name = "series";
-  const int first = buffer.add_scales({1, 0}), middle = count > 2 ? buffer.add_scales({0, 1, 0}) : -1,
-            last = buffer.add_scales({0, 1, 1});
-  for (std::size_t i = 0; i < count; ++i) {
-    tinygltf::AnimationSampler sampler;
-    sampler.interpolation = "STEP";
-    // The last frame has a second key at its end, which gives it its time on the screen.
-    sampler.input = i == 0 ? buffer.add_keys({0, key(1)}) : buffer.add_keys({0, key(i), key(i + 1)});
-    sampler.output = i == 0 ? first : i + 1 == count ? last : middle;
-    tinygltf::AnimationChannel channel;
-    channel.sampler = static_cast<int>(i);
-    channel.target_node = frames[i];
-    channel.target_path = "scale";
-    animation.samplers.push_back(std::move(sampler));
-    animation.channels.push_back(std::move(channel));
-  }
-  model.animations.push_back(std::move(animation));
-}
-
 GltfWriter::GltfWriter(GltfOptions options) : state_(std::make_unique<State>(std::move(options))) {}
 GltfWriter::~GltfWriter() = default;
 
-void GltfWriter::State::add_parts(const Tessellation& pieces, const std::vector<Point>& curve_points,
-                                  const std::vector<std::uint32_t>& curve_triangles, const Box& box,
+void GltfWriter::State::add_parts(const Tessellation& pieces, const GltfBand& band, const GltfBox& box,
                                   tinygltf::Node& frame) {
-  const int at = buffer.add_positions(pieces.vertices, box);
+  const int at = buffer.add_positions(pieces.vertices, pieces.heights, box);
   const std::size_t count = pieces.vertices.size();
   const bool colored = options.color.kind != ColorBy::Kind::nothing;
   const int colors = colored ? add_colors(pieces) : -1;
-  const auto part = [&](const char* name, const tinygltf::Primitive& p, double height) {
-    frame.children.push_back(add_node(name, {p}, box, height));
+  const Vector unit = options.quantize ? positive_extent(box.plane) : Vector{1, 1};
+  const int normals = options.lit ? buffer.add_normals(vertex_normals(pieces, box, unit)) : -1;
+  PlacedBox placed{-1, box, {}};
+  const auto part = [&](const char* name, const tinygltf::Primitive& p, int layer_number) {
+    placed.parts.emplace_back(add_node(name, p), layer_number);
+  };
+  const auto filled = [&](const std::vector<std::uint32_t>& triangles, int material) {
+    auto result = primitive(at, buffer.add_indices(triangles, count), material, TINYGLTF_MODE_TRIANGLES);
+    if (normals >= 0) result.attributes["NORMAL"] = normals;
+    return result;
   };
   if (!pieces.triangles.empty()) {
-    auto filled = primitive(at, buffer.add_indices(pieces.triangles, count),
-                            material(fill, "elements", colored ? Rgb{1, 1, 1} : plain, 1), TINYGLTF_MODE_TRIANGLES);
-    if (colored) filled.attributes["COLOR_0"] = colors;
-    part("elements", filled, 0);
+    auto elements =
+        filled(pieces.triangles, material(fill, "elements", colored ? Rgb{1, 1, 1} : plain, 1, options.lit));
+    if (colored) elements.attributes["COLOR_0"] = colors;
+    part("elements", elements, 0);
   }
   if (!pieces.marked.empty())
-    part("invalid",
-         primitive(at, buffer.add_indices(pieces.marked, count), material(invalid, "invalid", invalid_color, 1),
-                   TINYGLTF_MODE_TRIANGLES),
-         1);
+    part("invalid", filled(pieces.marked, material(invalid, "invalid", invalid_color, 1, options.lit)), 1);
   if (options.edges && !pieces.inner_lines.empty())
     part("edges",
          primitive(at, buffer.add_indices(pieces.inner_lines, count), material(lines, "edges", ink, 0.55),
                    TINYGLTF_MODE_LINE),
          2);
-  if (!curve_triangles.empty())
+  if (!band.points.empty())
     part("curves",
-         primitive(buffer.add_positions(curve_points, box), buffer.add_indices(curve_triangles, curve_points.size()),
+         primitive(buffer.add_positions(band.points, band.heights, box), buffer.add_band_indices(band.points.size()),
                    material(outline, "curves", ink, 1), TINYGLTF_MODE_TRIANGLES),
          3);
+  if (options.quantize || options.height) {
+    tinygltf::Node node;
+    node.name = "box";
+    for (const auto& [child, layer_number] : placed.parts) node.children.push_back(child);
+    model.nodes.push_back(std::move(node));
+    placed.node = static_cast<int>(model.nodes.size()) - 1;
+    frame.children = {placed.node};
+  } else {
+    for (const auto& [child, layer_number] : placed.parts) frame.children.push_back(child);
+  }
+  boxes.push_back(std::move(placed));
+}
+
+/// Gives the nodes their translations and scales, as soon as the heights of all frames are known.
+void GltfWriter::State::place_boxes() {
+  for (const PlacedBox& placed : boxes) {
+    const ValueRange& values_here = placed.box.heights;
+    const double low = values_here.is_empty() ? 0 : heights.height_of(values_here.low);
+    const double tall = values_here.is_empty() ? 0 : heights.height_of(values_here.high) - low;
+    const double scale = std::abs(tall) > least_height ? tall : least_height;
+    if (placed.node >= 0) {
+      tinygltf::Node& node = model.nodes[static_cast<std::size_t>(placed.node)];
+      const Vector extent = options.quantize ? positive_extent(placed.box.plane) : Vector{1, 1};
+      const Point corner = options.quantize ? placed.box.plane.low : Point{0, 0};
+      if (corner.x != 0 || corner.y != 0 || low != 0) node.translation = {corner.x, corner.y, low};
+      if (extent.x != 1 || extent.y != 1 || scale != 1) node.scale = {extent.x, extent.y, scale};
+    }
+    for (const auto& [part, number] : placed.parts)
+      if (number > 0) model.nodes[static_cast<std::size_t>(part)].translation = {0, 0, number * layer * size / scale};
+  }
+}
+
+TessellationOptions GltfWriter::State::cut_options(const ValueRange& own_range, const ElementValues* lifted,
+                                                   const std::vector<TriangleId>& without) const {
+  TessellationOptions cut;
+  cut.subdivide = options.subdivide;
+  cut.tolerance = options.tolerance * size;
+  const ValueRange& shown = options.range ? *options.range : own_range;
+  cut.color_tolerance = color_tolerance * (shown.high - shown.low);
+  cut.color_spread = color_spread * (shown.high - shown.low);
+  if (lifted != nullptr) {
+    cut.heights = lifted;
+    const ValueRange lifts = lifted->range(without);
+    cut.height_tolerance = height_tolerance * (lifts.high - lifts.low);
+  }
+  return cut;
 }
 
 void GltfWriter::add(const MeshData& mesh) {
@@ -258,6 +251,8 @@ void GltfWriter::add(const MeshData& mesh) {
   if (s.frames.empty()) {
     s.place = GltfPlace(bounding_box(mesh));
     s.size = s.place.size;
+    s.heights = GltfHeights(options.height_scale, s.place);
+    if (const Json* history = history_of(mesh)) s.history = *history;
     s.add_circles();
   }
   MeshData scaled;
@@ -273,48 +268,62 @@ void GltfWriter::add(const MeshData& mesh) {
   s.range.extend(range.low);
   s.range.extend(range.high);
   s.title = values.title();
-  TessellationOptions cut;
-  cut.subdivide = options.subdivide;
-  cut.tolerance = options.tolerance * s.size;
-  const ValueRange& shown = options.range ? *options.range : range;
-  cut.color_tolerance = color_tolerance * (shown.high - shown.low);
-  cut.color_spread = color_spread * (shown.high - shown.low);
   const Point origin = s.place.origin_of(bounding_box(drawn));
   const MeshData local = moved(drawn, origin);
-  const Tessellation pieces = tessellate(local, find_edges(local), values, options.color.kind, bad.invalid, cut);
-  std::vector<Point> outline;
-  std::vector<std::uint32_t> outline_triangles;
-  s.add_outlines(local, outline, outline_triangles);
-  Box box;
-  for (const Point& p : pieces.vertices) box.extend(p);
-  for (const Point& p : outline) box.extend(p);
-  require_drawable(box);
+  const MeshEdges edges = find_edges(local);
+  std::optional<ElementValues> heights;
+  if (options.height) s.height_title = heights.emplace(drawn, *options.height).title();
+  const ElementValues* lifted = heights ? &*heights : nullptr;
+  const Tessellation pieces =
+      tessellate(local, edges, values, options.color.kind, bad.invalid, s.cut_options(range, lifted, bad.invalid));
+  const double width = options.outline_width ? *options.outline_width / s.place.scale : s.size / 400;
+  const GltfBand band =
+      outline_band(local, edges, lifted, pieces.cuts, {width / 2, options.tolerance * s.size, options.subdivide});
+  GltfBox box;
+  box.extend(pieces.vertices, pieces.heights);
+  box.extend(band.points, band.heights);
+  require_drawable(box.plane);
+  s.heights.add(box.heights);
 
   tinygltf::Node frame;
-  s.add_parts(pieces, outline, outline_triangles, box, frame);
+  s.add_parts(pieces, band, box, frame);
   frame.name = "frame " + std::to_string(s.frames.size());
   if (const Vector shift = origin - s.place.center; shift.x != 0 || shift.y != 0)
     frame.translation = {shift.x, shift.y, 0};
   // A viewer that plays no animation shows the first frame.
   if (!s.frames.empty()) frame.scale = {0, 0, 0};
-  frame.extras = extras_of({{"time", mesh.time},
-                            {"elements", mesh.triangle_faces.size()},
-                            {"invalid", bad.invalid.size()},
-                            {"degenerate", bad.degenerate.size()}});
+  Json extras{{"time", mesh.time},
+              {"elements", mesh.triangle_faces.size()},
+              {"invalid", bad.invalid.size()},
+              {"degenerate", bad.degenerate.size()}};
+  if (const Json* history = history_of(mesh); history != nullptr && *history != s.history) extras["history"] = *history;
+  frame.extras = extras_of(extras);
   s.model.nodes.push_back(std::move(frame));
   s.frames.push_back(static_cast<int>(s.model.nodes.size()) - 1);
+}
+
+Value GltfWriter::State::asset_extras() const {
+  Json extras = Json::object();
+  const ValueRange shown = options.range.value_or(range);
+  if (!title.empty() && !shown.is_empty())
+    extras = {{"color", title}, {"low", shown.low}, {"high", shown.high}, {"colormap", options.map->name}};
+  if (options.height)
+    extras["height"] = {{"field", height_title}, {"scale", finite_or_null(heights.scale())}, {"zero", heights.zero()}};
+  if (!history.is_null()) extras["history"] = history;
+  return extras.empty() ? Value() : extras_of(extras);
 }
 
 std::string GltfWriter::finish(bool binary) {
   State& s = *state_;
   s.color_vertices();
-  if (s.frames.size() > 1) s.animate();
+  s.place_boxes();
+  if (s.frames.size() > 1) animate_frames(s.model, s.buffer, s.frames, s.options.frames_per_second);
   s.buffer.move_to(s.model);
 
   tinygltf::Node root;
   root.name = "mesh";
   root.translation = {s.place.center.x * s.place.scale, s.place.center.y * s.place.scale, 0};
-  if (s.place.scale != 1) root.scale = {s.place.scale, s.place.scale, s.place.scale};
+  if (s.place.scale != 1) root.scale.assign(3, s.place.scale);
   root.children = s.circle_nodes;
   root.children.insert(root.children.end(), s.frames.begin(), s.frames.end());
   s.model.nodes.push_back(std::move(root));
@@ -324,11 +333,10 @@ std::string GltfWriter::finish(bool binary) {
   s.model.defaultScene = 0;
   s.model.asset.version = "2.0";
   s.model.asset.generator = "Pliant export-gltf";
-  const ValueRange shown = s.options.range.value_or(s.range);
-  if (!s.title.empty() && !shown.is_empty())
-    s.model.asset.extras =
-        extras_of({{"color", s.title}, {"low", shown.low}, {"high", shown.high}, {"colormap", s.options.map->name}});
-  s.model.extensionsUsed = {"KHR_materials_unlit"};
+  s.model.asset.extras = s.asset_extras();
+  const auto is_unlit = [](const tinygltf::Material& material) { return !material.extensions.empty(); };
+  if (std::any_of(s.model.materials.begin(), s.model.materials.end(), is_unlit))
+    s.model.extensionsUsed.emplace_back("KHR_materials_unlit");
   if (s.options.quantize) {
     s.model.extensionsUsed.emplace_back("KHR_mesh_quantization");
     s.model.extensionsRequired = {"KHR_mesh_quantization"};

@@ -19,7 +19,11 @@ struct GltfOptions {
   std::optional<double> outline_width;  ///< of constrained edges; by default 1/400 of the first mesh's size
   double frames_per_second = 25;
   bool edges = true;
-  bool quantize = false;  ///< positions in 16 bits (KHR_mesh_quantization)
+  bool quantize = true;           ///< positions in 16 bits (KHR_mesh_quantization); otherwise in single precision
+  std::optional<ColorBy> height;  ///< a field that lifts the surface; the plane is at its least value of all frames
+  std::optional<double> height_scale;  ///< height of the value 1, in mesh units; by default the field's range of all
+                                       ///< frames is a quarter of the first mesh's size
+  bool lit = false;  ///< normals, and materials that want light, for elements; otherwise colours are shown as they are
   std::vector<Circle> circles;
 };
 

@@ -3,10 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
-#include <unordered_map>
 
+#include "formats/picture/cut_polygon.h"
 #include "pliant/geometry/control_net.h"
 #include "pliant/geometry/net_layout.h"
 
@@ -23,6 +22,12 @@ int pieces_for(double error, double tolerance, int most) {
   return n;
 }
 
+int power_of_two(int n) {
+  int power = 1;
+  while (power < n) power *= 2;
+  return power;
+}
+
 std::vector<double> rows_of(const std::vector<Point>& points) {
   std::vector<double> rows;
   rows.reserve(2 * points.size());
@@ -33,9 +38,9 @@ std::vector<double> rows_of(const std::vector<Point>& points) {
 class Tessellator {
  public:
   Tessellator(const MeshData& mesh, const MeshEdges& edges, const ElementValues& values, ColorBy::Kind kind,
-              const TessellationOptions& options)
+              const std::vector<TriangleId>& without, const TessellationOptions& options)
       : mesh_(mesh), edges_(edges), values_(values), kind_(kind), options_(options) {
-    count_pieces();
+    count_pieces(without);
   }
   void add(TriangleId t, bool marked);
   void add_inner_lines();
@@ -47,43 +52,64 @@ class Tessellator {
   std::int64_t owner(TriangleId t) const {
     const auto face = mesh_.triangle_faces[static_cast<std::size_t>(t)];
     if (kind_ == ColorBy::Kind::metric) return t;
-    return kind_ == ColorBy::Kind::face || values_.depends_on_face() ? face : 0;
+    const bool jumps = options_.heights != nullptr && options_.heights->depends_on_face();
+    return kind_ == ColorBy::Kind::face || values_.depends_on_face() || jumps ? face : 0;
   }
-  void count_pieces();
-  std::uint32_t vertex(TriangleId t, const std::vector<double>& rows, int n, const Node& node);
+  void count_pieces(const std::vector<TriangleId>& without);
+  int inner_pieces(TriangleId t) const;
+  std::uint32_t node_vertex(TriangleId t, const std::vector<double>& rows, int n, const Node& node);
+  std::uint32_t edge_vertex(TriangleId t, const std::vector<double>& rows, int e, int k);
+  void add_outline(TriangleId t, const std::vector<double>& rows, std::vector<std::uint32_t>& triangles);
+  void add_lattice(TriangleId t, const std::vector<double>& rows, std::vector<std::uint32_t>& triangles);
   std::uint32_t make_vertex(TriangleId t, const std::vector<double>& rows, const Barycentric& xi);
-  int cut_of_edge(std::size_t edge) const { return edge_pieces_[edge]; }
+  int cut_of_edge(std::size_t edge) const { return result.cuts[edge]; }
+  std::size_t edge_of(TriangleId t, int e) const {
+    return static_cast<std::size_t>(edges_.of_half_edge[index(half_edge(t, e))]);
+  }
 
   const MeshData& mesh_;
   const MeshEdges& edges_;
   const ElementValues& values_;
   ColorBy::Kind kind_;
   const TessellationOptions& options_;
-  std::vector<int> edge_pieces_, element_pieces_, color_pieces_;
+  std::vector<int> element_pieces_;  // of the lattice inside; 0: the outline is all that is needed
   std::map<std::array<std::int64_t, 3>, std::uint32_t> shared_;  // (owner, corner or -1 - edge, cut) -> vertex
 };
 
-void Tessellator::count_pieces() {
-  const std::size_t elements = mesh_.triangle_faces.size();
-  edge_pieces_.assign(edges_.edges.size(), std::max(1, options_.subdivide));
-  element_pieces_.assign(elements, std::max(1, options_.subdivide));
-  color_pieces_ = element_pieces_;
-  if (options_.subdivide > 0) return;
-  for (std::size_t t = 0; t < elements && values_.is_field(); ++t) {
-    int n = pieces_for(values_.departure(static_cast<TriangleId>(t)), options_.color_tolerance, max_color_pieces);
-    const double spread = values_.spread(static_cast<TriangleId>(t));
+/// How often colours and heights want the element cut inside.
+int Tessellator::inner_pieces(TriangleId t) const {
+  int n = 1;
+  if (values_.is_field()) {
+    n = pieces_for(values_.departure(t), options_.color_tolerance, max_color_pieces);
+    const double spread = values_.spread(t);
     while (n < max_color_pieces && spread > options_.color_spread * n) n *= 2;
-    color_pieces_[t] = element_pieces_[t] = n;
   }
-  for (std::size_t e = 0; e < edges_.edges.size(); ++e) {
-    int& n = edge_pieces_[e];
-    n = edge_pieces(positions(mesh_, edges_.edges[e].points), options_.tolerance);
-    for (const TriangleId t : edges_.edges[e].sides)
-      if (t != none) n = std::max(n, element_pieces_[static_cast<std::size_t>(t)]);
+  if (options_.heights != nullptr)
+    n = std::max(n, pieces_for(options_.heights->departure(t), options_.height_tolerance, max_color_pieces));
+  return n;
+}
+
+/// Elements whose inside is cut have a lattice, and edges in powers of two, which fit into it; so have those that are
+/// not valid, whose outlines may cross themselves. All others are cut along their outlines only.
+void Tessellator::count_pieces(const std::vector<TriangleId>& without) {
+  const auto elements = static_cast<TriangleId>(mesh_.triangle_faces.size());
+  result.cuts.assign(edges_.edges.size(), std::max(1, options_.subdivide));
+  element_pieces_.assign(mesh_.triangle_faces.size(), options_.subdivide);
+  if (options_.subdivide > 0) return;
+  for (std::size_t e = 0; e < edges_.edges.size(); ++e)
+    result.cuts[e] = edge_pieces(positions(mesh_, edges_.edges[e].points), options_.tolerance);
+  for (TriangleId t = 0; t < elements; ++t) {
+    const int inner = inner_pieces(t);
+    if (inner == 1 && !std::binary_search(without.begin(), without.end(), t)) continue;
+    element_pieces_[static_cast<std::size_t>(t)] = inner;
+    for (int e = 0; e < 3; ++e) {
+      int& cuts = result.cuts[edge_of(t, e)];
+      cuts = power_of_two(std::max(cuts, inner));
+    }
   }
-  for (std::size_t h = 0; h < edges_.of_half_edge.size(); ++h)
-    element_pieces_[h / 3] =
-        std::max(element_pieces_[h / 3], edge_pieces_[static_cast<std::size_t>(edges_.of_half_edge[h])]);
+  for (TriangleId t = 0; t < elements; ++t)
+    if (int& n = element_pieces_[static_cast<std::size_t>(t)]; n > 0)
+      for (int e = 0; e < 3; ++e) n = std::max(n, cut_of_edge(edge_of(t, e)));
 }
 
 std::uint32_t Tessellator::make_vertex(TriangleId t, const std::vector<double>& rows, const Barycentric& xi) {
@@ -91,66 +117,73 @@ std::uint32_t Tessellator::make_vertex(TriangleId t, const std::vector<double>& 
   evaluate_net(mesh_.degree, 2, rows, xi, place);
   result.vertices.push_back({place[0], place[1]});
   if (values_.exist()) result.values.push_back(values_.at(t, xi));
+  if (options_.heights != nullptr) result.heights.push_back(options_.heights->at(t, xi));
   result.vertex_faces.push_back(mesh_.triangle_faces[static_cast<std::size_t>(t)]);
   return static_cast<std::uint32_t>(result.vertices.size() - 1);
 }
 
-std::uint32_t Tessellator::vertex(TriangleId t, const std::vector<double>& rows, int n, const Node& node) {
-  const std::array<int, 3> weight{n - node[0] - node[1], node[0], node[1]};
-  const Barycentric xi{double(weight[0]) / n, double(weight[1]) / n, double(weight[2]) / n};
+/// The vertex at the k-th cut of the element's edge e, in the element's direction.
+std::uint32_t Tessellator::edge_vertex(TriangleId t, const std::vector<double>& rows, int e, int k) {
+  const std::size_t edge = edge_of(t, e);
+  const int n = cut_of_edge(edge);
+  const auto from = static_cast<std::size_t>(e), to = (from + 1) % 3;
   std::array<std::int64_t, 3> key{owner(t), 0, 0};
-  const int zeros = static_cast<int>(std::count(weight.begin(), weight.end(), 0));
-  if (zeros == 2) {
-    const auto c = static_cast<std::size_t>(std::find(weight.begin(), weight.end(), n) - weight.begin());
-    key[1] = mesh_.triangles[static_cast<std::size_t>(t) * static_cast<std::size_t>(net_size(mesh_.degree)) + c];
-  } else if (zeros == 1) {
-    // The node lies on the edge opposite the corner whose weight is 0.
-    const auto c = static_cast<std::size_t>(std::find(weight.begin(), weight.end(), 0) - weight.begin());
-    const HalfEdgeId h = half_edge(t, static_cast<int>((c + 1) % 3));
-    const auto edge = static_cast<std::size_t>(edges_.of_half_edge[index(h)]);
-    const int along = weight[edges_.runs_forward(mesh_, h) ? (c + 2) % 3 : (c + 1) % 3];
-    key[1] = -1 - static_cast<std::int64_t>(edge);
-    key[2] = along * cut_of_edge(edge) / n;
+  if (k == 0 || k == n) {
+    const auto size = static_cast<std::size_t>(net_size(mesh_.degree));
+    key[1] = mesh_.triangles[static_cast<std::size_t>(t) * size + (k == 0 ? from : to)];
   } else {
-    return make_vertex(t, rows, xi);
+    key[1] = -1 - static_cast<std::int64_t>(edge);
+    key[2] = edges_.runs_forward(mesh_, half_edge(t, e)) ? k : n - k;
   }
   const auto [place, is_new] = shared_.try_emplace(key, 0);
-  if (is_new) place->second = make_vertex(t, rows, xi);
+  if (is_new) {
+    Barycentric xi{};
+    xi[from] = double(n - k) / n;
+    xi[to] = double(k) / n;
+    place->second = make_vertex(t, rows, xi);
+  }
   return place->second;
 }
 
-/// The triangles from the corner opposite the only edge that is cut, where nothing inside asks for more.
-std::vector<std::array<std::array<int, 2>, 3>> fan(int n, int edge) {
-  const auto node = [](const std::array<int, 3>& weight) { return std::array<int, 2>{weight[1], weight[2]}; };
-  std::vector<std::array<std::array<int, 2>, 3>> result;
-  for (int k = 0; k < n; ++k) {
-    std::array<int, 3> apex{}, from{}, to{};
-    const auto a = static_cast<std::size_t>(edge), b = (a + 1) % 3, c = (a + 2) % 3;
-    apex[c] = n;
-    from[a] = n - k, from[b] = k;
-    to[a] = n - k - 1, to[b] = k + 1;
-    result.push_back({node(apex), node(from), node(to)});
-  }
-  return result;
+std::uint32_t Tessellator::node_vertex(TriangleId t, const std::vector<double>& rows, int n, const Node& node) {
+  const std::array<int, 3> weight{n - node[0] - node[1], node[0], node[1]};
+  for (int e = 0; e < 3; ++e)
+    if (weight[static_cast<std::size_t>(e + 2) % 3] == 0)
+      return edge_vertex(t, rows, e, weight[static_cast<std::size_t>(e + 1) % 3] * cut_of_edge(edge_of(t, e)) / n);
+  return make_vertex(t, rows, {double(weight[0]) / n, double(weight[1]) / n, double(weight[2]) / n});
+}
+
+void Tessellator::add_outline(TriangleId t, const std::vector<double>& rows, std::vector<std::uint32_t>& triangles) {
+  std::vector<std::uint32_t> outline;
+  std::vector<Point> corners;
+  for (int e = 0; e < 3; ++e)
+    for (int k = 0; k < cut_of_edge(edge_of(t, e)); ++k) {
+      outline.push_back(edge_vertex(t, rows, e, k));
+      corners.push_back(result.vertices[outline.back()]);
+    }
+  for (const std::array<int, 3>& triangle : cut_polygon(corners))
+    for (const int corner : triangle) triangles.push_back(outline[static_cast<std::size_t>(corner)]);
+}
+
+void Tessellator::add_lattice(TriangleId t, const std::vector<double>& rows, std::vector<std::uint32_t>& triangles) {
+  ElementLattice lattice{element_pieces_[static_cast<std::size_t>(t)], {}};
+  for (int e = 0; e < 3; ++e) lattice.counts[static_cast<std::size_t>(e)] = cut_of_edge(edge_of(t, e));
+  std::map<Node, std::uint32_t> vertices;
+  for (const auto& triangle : lattice.triangles())
+    for (const Node& node : triangle) {
+      auto [place, is_new] = vertices.try_emplace(node, 0);
+      if (is_new) place->second = node_vertex(t, rows, lattice.n, node);
+      triangles.push_back(place->second);
+    }
 }
 
 void Tessellator::add(TriangleId t, bool marked) {
-  ElementLattice lattice{element_pieces_[static_cast<std::size_t>(t)], {}};
-  for (int e = 0; e < 3; ++e)
-    lattice.counts[static_cast<std::size_t>(e)] =
-        cut_of_edge(static_cast<std::size_t>(edges_.of_half_edge[static_cast<std::size_t>(half_edge(t, e))]));
   const std::vector<double> rows = rows_of(element_net(mesh_, t));
-  const auto& counts = lattice.counts;
-  const bool is_fan =
-      color_pieces_[static_cast<std::size_t>(t)] == 1 && std::count(counts.begin(), counts.end(), 1) == 2;
-  const auto longest = static_cast<int>(std::max_element(counts.begin(), counts.end()) - counts.begin());
-  std::map<Node, std::uint32_t> vertices;
-  for (const auto& triangle : is_fan ? fan(lattice.n, longest) : lattice.triangles())
-    for (const Node& node : triangle) {
-      auto [place, is_new] = vertices.try_emplace(node, 0);
-      if (is_new) place->second = vertex(t, rows, lattice.n, node);
-      (marked ? result.marked : result.triangles).push_back(place->second);
-    }
+  std::vector<std::uint32_t>& triangles = marked ? result.marked : result.triangles;
+  if (element_pieces_[static_cast<std::size_t>(t)] == 0)
+    add_outline(t, rows, triangles);
+  else
+    add_lattice(t, rows, triangles);
 }
 
 void Tessellator::add_inner_lines() {
@@ -195,7 +228,9 @@ std::vector<std::array<std::array<int, 2>, 3>> ElementLattice::triangles() const
 }
 
 int edge_pieces(const std::vector<Point>& polygon, double tolerance) {
-  return pieces_for(bulge(polygon), tolerance, max_pieces);
+  int n = 1;
+  for (const double error = bulge(polygon); n < max_pieces && error > tolerance * n * n;) ++n;
+  return n;
 }
 
 Polyline sample_edge(const std::vector<Point>& polygon, int n) {
@@ -220,7 +255,7 @@ Polyline sample_edge(const std::vector<Point>& polygon, int n) {
 
 Tessellation tessellate(const MeshData& mesh, const MeshEdges& edges, const ElementValues& values, ColorBy::Kind kind,
                         const std::vector<TriangleId>& without, const TessellationOptions& options) {
-  Tessellator tessellator(mesh, edges, values, kind, options);
+  Tessellator tessellator(mesh, edges, values, kind, without, options);
   for (TriangleId t = 0; t < static_cast<TriangleId>(mesh.triangle_faces.size()); ++t)
     tessellator.add(t, std::binary_search(without.begin(), without.end(), t));
   tessellator.add_inner_lines();

@@ -12,25 +12,31 @@
 namespace pliant {
 
 struct TessellationOptions {
-  int subdivide = 0;               ///< pieces of every edge; 0: for each edge a power of two, by curvature and colour
+  int subdivide = 0;               ///< pieces of every edge; 0: as many as curvature, colour and height need
   double tolerance = 0;            ///< how far an edge's chords may be from the edge, a length
   double color_tolerance = 0;      ///< how far values may be off inside a piece
   double color_spread = HUGE_VAL;  ///< how much values may differ at a piece's corners, whose colours viewers mix
+  const ElementValues* heights = nullptr;  ///< what lifts the vertices, if anything does
+  double height_tolerance = 0;             ///< how far heights may be off inside a piece, as values
 };
 
 /// Straight triangles, and the edges as polylines of their vertices.
 struct Tessellation {
   std::vector<Point> vertices;
   std::vector<double> values;        ///< value of each vertex, NaN where it has none; empty where nothing has values
+  std::vector<double> heights;       ///< of each vertex; empty without `TessellationOptions::heights`
   std::vector<FaceId> vertex_faces;  ///< for each vertex the face of an element at it
   std::vector<std::uint32_t> triangles;    ///< three vertices each
   std::vector<std::uint32_t> marked;       ///< three vertices each, of the elements in `without`
   std::vector<std::uint32_t> inner_lines;  ///< two vertices each, of edges that are not constrained
+  std::vector<int> cuts;                   ///< pieces of each of the `MeshEdges`
 };
 
-/// Cuts the elements of a mesh into triangles. Elements share the vertices at which their colours agree: all of them
-/// for a continuous field, those within a face for faces and fields by face, none for a metric. The elements of
-/// `without`, those that are not valid, go to `marked`. Requires    M1 and M2; `without` in ascending order
+/// Cuts the elements of a mesh into triangles. Elements share the vertices at which their colours and heights agree:
+/// all of them for a continuous field, those within a face for faces and fields by face, none for a metric. The
+/// elements of `without`, those that are not valid, go to `marked`.
+///
+/// Requires    M1 and M2; `without` in ascending order
 Tessellation tessellate(const MeshData& mesh, const MeshEdges& edges, const ElementValues& values, ColorBy::Kind kind,
                         const std::vector<TriangleId>& without, const TessellationOptions& options);
 
@@ -42,7 +48,7 @@ struct Polyline {
 };
 Polyline sample_edge(const std::vector<Point>& polygon, int n);
 
-/// The number of pieces whose chords are within the tolerance of the edge: a power of two, at most 32.
+/// The least number of pieces whose chords are within the tolerance of the edge, at most 32.
 int edge_pieces(const std::vector<Point>& polygon, double tolerance);
 
 /// The lattice of an element whose inside is cut into n steps, while edge e is cut only into counts[e], which divides

@@ -1,15 +1,18 @@
 // formats/report/report_html.cpp: the report as one page that draws the mesh, needs nothing else, and fetches nothing.
 #include "formats/report/report_html.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <string_view>
 
 #include "formats/document/document_value.h"
+#include "formats/document/history.h"
 #include "formats/document/write_json.h"
 #include "formats/picture/base64.h"
 #include "formats/picture/coloring.h"
-#include "formats/picture/svg_path.h"
+#include "formats/picture/svg/text.h"
 #include "formats/report/report_json.h"
 #include "formats/report/report_page.h"
 #include "pliant/quality/metrics.h"
@@ -49,7 +52,20 @@ Json settings(const HtmlReport::Options& options) {
   constexpr int face_colors = 10;
   std::vector<Rgb> faces;
   for (FaceId f = 0; f < face_colors; ++f) faces.push_back(face_color(f));
+  Json circles = Json::array(), outlines = Json::array();
+  for (const Circle& circle : options.circles)
+    circles.push_back(Json::array({circle.center.x, circle.center.y, circle.radius}));
+  for (const std::vector<Point>& outline : options.outlines) {
+    Json numbers = Json::array();
+    for (const Point& p : outline) {
+      numbers.push_back(p.x);
+      numbers.push_back(p.y);
+    }
+    outlines.push_back(std::move(numbers));
+  }
   return {{"title", options.title},
+          {"circles", std::move(circles)},
+          {"outlines", std::move(outlines)},
           {"worst", options.worst},
           {"metrics", metric_words()},
           {"viridis", hex_of(find_colormap("viridis")->stops)},
@@ -106,13 +122,66 @@ Json overlaps_of(const QualityReport& report) {
   return list;
 }
 
-Json ranges_of(const ElementFigures& elements) {
+/// For each entry of the elements' nets the row of a field by face.
+std::vector<std::int32_t> rows_of(const MeshData& mesh, const ElementFigures& elements, const Field& field) {
+  std::vector<std::int32_t> rows;
+  for (const TriangleId t : elements.triangles)
+    for (const PointId p : net_of(mesh, t)) {
+      const std::array<std::int32_t, 2> place{p, mesh.triangle_faces[static_cast<std::size_t>(t)]};
+      const auto found = std::lower_bound(field.places.begin(), field.places.end(), place);
+      // A place that is missing is a fault; the row after the last has no numbers.
+      const bool is_there = found != field.places.end() && *found == place;
+      rows.push_back(static_cast<std::int32_t>((is_there ? found : field.places.end()) - field.places.begin()));
+    }
+  return rows;
+}
+
+/// The ranges of a field's control values, which bound it: of each component, and of the length of several.
+void add_field_ranges(const MeshData& mesh, const ElementFigures& elements, const Field& field, Json& ranges) {
+  const auto width = static_cast<std::size_t>(field.components);
+  std::vector<ValueRange> parts(width + 1);
+  const auto add = [&](std::int32_t row) {
+    double length = 0;
+    for (std::size_t c = 0; c < width; ++c) {
+      const std::size_t at = static_cast<std::size_t>(row) * width + c;
+      const double value = at < field.values.size() ? field.values[at] : std::nan("");
+      parts[c].extend(value);
+      length = std::hypot(length, value);
+    }
+    parts[width].extend(length);
+  };
+  if (field.by_face)
+    for (const std::int32_t row : rows_of(mesh, elements, field)) add(row);
+  else
+    for (const TriangleId t : elements.triangles)
+      for (const PointId p : net_of(mesh, t)) add(p);
+  const auto put = [&ranges](const std::string& name, const ValueRange& range) {
+    ranges[name] = range.is_empty() ? Json() : Json::array({range.low, range.high});
+  };
+  const std::string name = "field:" + field.name;
+  put(name, parts[width == 1 ? 0 : width]);
+  for (std::size_t c = 0; c < width && width > 1; ++c) put(name + '.' + std::to_string(c), parts[c]);
+}
+
+Json ranges_of(const MeshData& mesh, const ElementFigures& elements) {
   Json ranges = Json::object();
   for (const ElementColumn& column : elements.columns) {
     const ValueRange range = range_of(elements, column);
     ranges[column.name] = range.is_empty() ? Json() : Json::array({range.low, range.high});
   }
+  for (const Field& field : mesh.fields) add_field_ranges(mesh, elements, field, ranges);
   return ranges;
+}
+
+/// The tools that made the mesh, as its member `history` names them: their options as words of a command line.
+Json history_words(const MeshData& mesh) {
+  Json list = Json::array();
+  for (const HistoryEntry& entry : history_of(mesh.extra)) {
+    std::string words;
+    for (const std::string& option : entry.options) words += (words.empty() ? "" : " ") + option;
+    list.push_back({{"tool", entry.tool}, {"version", entry.version}, {"options", words}});
+  }
+  return list;
 }
 
 /// Small, and of all frames at once in the page's memory: the report, the box, and the ranges of the colours.
@@ -126,7 +195,8 @@ std::string frame_summary(const MeshData& mesh, const QualityReport& report, con
                        {"overlaps", overlaps_of(report)},
                        {"duplicate_points", report.duplicate_points},
                        {"unused_points", report.unused_points},
-                       {"ranges", ranges_of(elements)}});
+                       {"ranges", ranges_of(mesh, elements)}});
+  if (const Json history = history_words(mesh); !history.empty()) write_members(json, {{"history", history}});
   write_report(report, whole_report);
   whole_report.pop_back();
   json.name("report").raw(whole_report);
@@ -164,6 +234,13 @@ std::string frame_mesh(const MeshData& mesh, const ElementFigures& elements) {
   for (const Face& face : mesh.boundary.faces) json.value(face.name);
   json.end_array().name("curve_names").begin_array();
   for (const Curve& curve : mesh.boundary.curves) json.value(curve.name);
+  json.end_array().name("fields").begin_array();
+  for (const Field& field : mesh.fields) {
+    json.begin_object().name("name").value(field.name).name("components").value(field.components);
+    write_array(json, "values", field.values);
+    if (field.by_face) write_array(json, "rows", rows_of(mesh, elements, field));
+    json.end_object();
+  }
   json.end_array().name("columns").begin_array();
   for (const ElementColumn& column : elements.columns) {
     json.begin_object().name("name").value(column.name).name("worst_is_least").value(column.worst_is_least);

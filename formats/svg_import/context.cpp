@@ -130,6 +130,15 @@ void inherit(Context& context, const Element& element, const Declarations& decla
   take_paint(context.fill, own(declared, Property::fill), "black", element, notices);
   take_paint(context.stroke, own(declared, Property::stroke), "none", element, notices);
   take(context.fill_rule, own(declared, Property::fill_rule), "nonzero");
+  take(context.clip_rule, own(declared, Property::clip_rule), "nonzero");
+  take(context.stroke_width, own(declared, Property::stroke_width), "1");
+  take(context.stroke_opacity, own(declared, Property::stroke_opacity), "1");
+  take(context.stroke_linejoin, own(declared, Property::stroke_linejoin), "miter");
+  take(context.stroke_linecap, own(declared, Property::stroke_linecap), "butt");
+  take(context.stroke_miterlimit, own(declared, Property::stroke_miterlimit), "4");
+  take(context.stroke_dasharray, own(declared, Property::stroke_dasharray), "none");
+  take(context.stroke_dashoffset, own(declared, Property::stroke_dashoffset), "0");
+  take(context.paint_order, own(declared, Property::paint_order), "normal");
   take(context.fill_opacity, own(declared, Property::fill_opacity), "1");
   take(context.visibility, own(declared, Property::visibility), "visible");
   for (auto [value, property] :

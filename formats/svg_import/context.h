@@ -15,6 +15,9 @@ struct Context {
   Viewport viewport;
   std::string_view fill = "black", fill_rule = "nonzero", fill_opacity = "1", stroke = "none", visibility = "visible";
   std::string_view color = "black", marker_start = "none", marker_mid = "none", marker_end = "none";
+  std::string_view clip_rule = "nonzero", stroke_width = "1", stroke_opacity = "1", stroke_linejoin = "miter";
+  std::string_view stroke_linecap = "butt", stroke_miterlimit = "4", stroke_dasharray = "none", stroke_dashoffset = "0";
+  std::string_view paint_order = "normal";
   std::string_view context_fill = "none", context_stroke = "none";  ///< fill and stroke of the innermost `use`
   bool transparent = false;
   const Element* shown_by = nullptr;  ///< the innermost `use` that shows the element, or null

@@ -4,8 +4,10 @@
 #include <unordered_map>
 #include <unordered_set>
 
+#include "formats/svg_import/clip_paths.h"
 #include "formats/svg_import/context.h"
 #include "formats/svg_import/paint.h"
+#include "formats/svg_import/painting.h"
 #include "formats/svg_import/shape_name.h"
 #include "formats/svg_import/viewport.h"
 #include "pliant/boundary/fault.h"
@@ -23,13 +25,19 @@ const std::unordered_set<std::string_view> silent{
 
 class Walker {
  public:
-  explicit Walker(const ElementTree& tree)
-      : tree_(tree), sheets_(tree), names_(tree), in_use_(static_cast<std::size_t>(tree.size())) {}
+  Walker(const ElementTree& tree, const SceneOptions& options)
+      : tree_(tree),
+        options_(options),
+        sheets_(tree),
+        names_(tree),
+        clip_paths_(tree, sheets_, notices_, scene_.clips),
+        in_use_(static_cast<std::size_t>(tree.size())) {}
 
   Scene walk() {
     Context context;
     context.viewport = root_viewport(tree_[0], Viewport::medium);
-    context.map = {1, 0, 0, -1, 0, 0};  // y of the result points upwards
+    const double px = length_of_px(options_.unit);
+    context.map = {px, 0, 0, -px, 0, 0};  // y of the result points upwards
     visit(0, context);
     if (tree_.names_sheets()) notices_.add("style sheets of other files are not read", 1);
     for (const auto& [what, times] : sheets_.unread()) notices_.add(what + " are not read", times);
@@ -56,6 +64,13 @@ class Walker {
     // Lengths in units of the root's font are known only now that its font size is.
     if (index == 0 && context.depth == 1) context.viewport = root_viewport(element, context.viewport.font_size);
     context.map = context.map * transform_of(element, declared, context.viewport, notices_);
+    const std::size_t first = scene_.shapes.size(), first_line = scene_.lines.size();
+    show(index, declared, context);
+    clip(element, declared, context, first, first_line);
+  }
+
+  void show(int index, const Declarations& declared, const Context& context) {
+    const Element& element = tree_[index];
     if (is_shape(element.name)) {
       for (const int child : element.children) note_animation(tree_[child]);
       if (!has_geometry(declared)) return add_shape(element, declared, context);
@@ -72,6 +87,35 @@ class Walker {
       return notices_.add(element.name + " is not read", element);
     if (note_animation(element)) return;
     notices_.add("elements " + element.name + " are not read", element);
+  }
+
+  /// Clips what an element has shown, which are the shapes and lines from these numbers on, by its clip path.
+  void clip(const Element& element, const Declarations& declared, const Context& context, std::size_t first,
+            std::size_t first_line) {
+    if (!options_.clips || (first == scene_.shapes.size() && first_line == scene_.lines.size())) return;
+    const std::string_view value = own(declared, Property::clip_path);
+    if (value.empty() || value == "none") return;
+    const auto box = [&] {
+      Box all;
+      const Affine back = context.map.determinant() == 0 ? Affine{} : context.map.inverse();
+      const auto add = [&](const Outline& outline, const Affine& map) {
+        const Box one = tight_box_of(outline, map);
+        if (!(one.low.x <= one.high.x)) return;
+        all.extend(one.low);
+        all.extend(one.high);
+      };
+      for (std::size_t s = first; s < scene_.shapes.size(); ++s)
+        add(scene_.shapes[s].outline, back * scene_.shapes[s].map);
+      for (std::size_t l = first_line; l < scene_.lines.size(); ++l) add(scene_.lines[l].outline, back);
+      return all;
+    };
+    const int number = clip_paths_.of(value, element, context, box);
+    if (number < 0) return;
+    for (std::size_t s = first; s < scene_.shapes.size(); ++s)
+      if (scene_.shapes[s].stroke || !clip_paths_.contains(number, box_of(scene_.shapes[s])))
+        scene_.shapes[s].clips.push_back(number);
+    for (std::size_t l = first_line; l < scene_.lines.size(); ++l)
+      if (!clip_paths_.contains(number, box_of(scene_.lines[l].outline))) scene_.lines[l].clips.push_back(number);
   }
 
   bool note_animation(const Element& element) {
@@ -93,8 +137,9 @@ class Walker {
     }
   }
 
-  /// Visits the root element, whose user units are those of the result.
-  void visit_root(const Element& root, const Declarations& declared, const Context& context) {
+  /// Visits the root element. Without --unit its user units are those of the result.
+  void visit_root(const Element& root, const Declarations& declared, Context context) {
+    if (options_.unit != LengthUnit::user) context.map = context.map * page_map(root, context.viewport);
     const std::size_t first = scene_.shapes.size();
     visit_children(root, context);
     const ViewBox page = view_box_of(root).value_or(ViewBox{0, 0, context.viewport.width, context.viewport.height});
@@ -117,7 +162,7 @@ class Walker {
       return x < -margin || y < -margin || x > width + margin || y > height + margin;
     };
     for (std::size_t s = first; s < scene_.shapes.size(); ++s) {
-      const Box box = box_of(scene_.shapes[s].outline, back);
+      const Box box = box_of(scene_.shapes[s], back);
       if (is_out(box.low.x, box.low.y) || is_out(box.high.x, box.high.y)) return notices_.add(what, element);
     }
   }
@@ -198,7 +243,9 @@ class Walker {
       for (const char* attribute : {"refX", "refY", "x", "y"})
         if (shown.find(attribute) != nullptr)
           notices_.add(std::string(attribute) + " of a symbol moves nothing", shown);
+    const std::size_t first = scene_.shapes.size(), first_line = scene_.lines.size();
     visit_svg(shown, declared, context, &use, false);
+    clip(shown, declared, context, first, first_line);
   }
 
   void note_silent(const Element& element) {
@@ -218,58 +265,29 @@ class Walker {
       const std::string_view value = own(declared, property);
       return !value.empty() && value != "none" && value != "inherit";
     };
-    if (is_set(Property::clip_path)) notices_.add("clip paths do not cut anything off", element);
+    if (is_set(Property::clip_path) && !options_.clips)
+      notices_.add("clip paths do not cut anything off without --planar", element);
     if (is_set(Property::mask)) notices_.add("masks do not hide anything", element);
     if (is_set(Property::filter)) notices_.add("filters change nothing", element);
   }
 
-  /// Does the paint show? A reference to a missing element does not, unless a colour follows it.
-  bool paints(std::string_view paint, const Element& element, const Context& context) {
-    switch (classify_paint(paint)) {
-      case Paint::colour:
-        return true;
-      case Paint::invisible:
-      case Paint::not_understood:
-        return false;
-      case Paint::current:
-        return classify_paint(context.color) == Paint::colour;
-      case Paint::of_fill:
-        return paints(context.context_fill, element, context);
-      case Paint::of_stroke:
-        return paints(context.context_stroke, element, context);
-      case Paint::reference:
-        return reference_paints(paint, element, context);
-    }
-    return true;
-  }
-
-  /// Does the element paint where it is referred to? Gradients and patterns do.
-  bool reference_paints(std::string_view paint, const Element& element, const Context& context) {
-    const std::size_t end = std::min(paint.find(')'), paint.size());
-    std::string id(paint.substr(4, end - 4));
-    std::erase_if(id, [](char c) { return c == '"' || c == '\'' || c == ' '; });
-    const int target = id.empty() || id.front() != '#' ? no_element : tree_.find(id.substr(1));
-    const std::string kind = target == no_element ? "" : tree_[target].name;
-    if (kind == "pattern" || kind == "hatch") {
-      notices_.add("a pattern is taken for a colour", element);
-    } else if (kind == "linearGradient" || kind == "radialGradient" || kind == "meshgradient" || kind == "solidColor") {
-      notices_.add("a gradient is taken for a colour", element);
-    } else {
-      notices_.add("fill refers to a paint that does not exist", element);
-      std::string_view behind = paint.substr(std::min(end + 1, paint.size()));
-      while (!behind.empty() && behind.front() == ' ') behind.remove_prefix(1);
-      return classify_paint(behind) != Paint::reference && paints(behind, element, context);
-    }
-    return true;
-  }
-
-  /// Adds notices of strokes and markers, which are drawn along an outline and not read.
+  /// Adds notices of strokes and markers, as far as they are not read.
   void note_lines(const Element& element, const Context& context) {
-    const Paint stroke = classify_paint(context.stroke);
-    if (stroke != Paint::invisible && stroke != Paint::not_understood) notices_.add("strokes are not read", element);
+    if (options_.strokes == Strokes::left_out) {
+      const Paint stroke = classify_paint(context.stroke);
+      if (stroke != Paint::invisible && stroke != Paint::not_understood) notices_.add("strokes are not read", element);
+    }
     const bool can_have_markers =
         element.name == "path" || element.name.rfind("poly", 0) == 0 || element.name == "line";
     if (can_have_markers && context.has_markers()) notices_.add("markers are not drawn", element);
+  }
+
+  /// Does the element paint a stroke of some width?
+  bool has_stroke(const Element& element, const Context& context) {
+    const Paint kind = classify_paint(context.stroke);
+    if (kind == Paint::invisible || kind == Paint::not_understood) return false;
+    return fraction_of(context.stroke_opacity, 1) > 0 && stroke_width(element, context, notices_) > 0 &&
+           (options_.strokes == Strokes::left_out || paints(context.stroke, element, context, tree_, notices_));
   }
 
   void add_shape(const Element& element, const Declarations& declared, const Context& context) {
@@ -279,37 +297,46 @@ class Walker {
       return;
     }
     if (!context.transparent) note_lines(element, context);
-    if (element.name == "line" || context.transparent || fraction_of(context.fill_opacity, 1) <= 0 ||
-        !paints(context.fill, element, context)) {
-      ++scene_.unfilled;
-      return;
-    }
-    Shape shape;
-    shape.outline = outline_of(element, context.viewport);
-    if (shape.outline.empty()) return;
+    const bool is_stroked = !context.transparent && has_stroke(element, context);
+    scene_.strokes += is_stroked ? 1 : 0;
+    const bool is_line = is_stroked && options_.strokes == Strokes::curves;
+    const bool is_area = is_stroked && options_.strokes == Strokes::area;
+    const bool is_filled = element.name != "line" && !context.transparent && fraction_of(context.fill_opacity, 1) > 0 &&
+                           paints(context.fill, element, context, tree_, notices_);
+    if (!is_filled) ++scene_.unfilled;
+    if (!is_filled && !is_line && !is_area) return;
+    Outline outline = outline_of(element, context.viewport);
+    if (outline.empty()) return;
     note_effects(element, declared);
-    steps_ += shape.outline.steps.size();
+    steps_ += outline.steps.size();
     if (steps_ > max_steps)
       refuse(element, "the outlines have more than " + std::to_string(max_steps) + " segments, copies by use counted");
-    shape.outline.transform(context.map);
-    check_coordinates(element, shape.outline);
-    shape.name = names_.name(element, context.shown_by, number);
-    shape.line = element.line;
-    shape.even_odd = context.fill_rule == "evenodd";
-    scene_.shapes.push_back(std::move(shape));
-  }
-
-  static void check_coordinates(const Element& element, const Outline& outline) {
-    for (const Point& p : outline.points)
-      if (!(std::abs(p.x) <= max_coordinate && std::abs(p.y) <= max_coordinate))
-        refuse(element, "a coordinate is beyond 1e60");
+    const Outline own_outline = is_area ? outline : Outline{};
+    outline.transform(context.map);
+    check_coordinates(element, outline);
+    const std::string name = names_.name(element, context.shown_by, number);
+    // Where the stroke is painted first, the fill hides what of it lies inside.
+    const bool is_under = context.paint_order.substr(0, 6) == "stroke";
+    const int before = static_cast<int>(scene_.shapes.size());
+    if (is_line) scene_.lines.push_back({name, outline, before + (is_filled && !is_under ? 1 : 0)});
+    const auto add_stroke = [&] {
+      Shape stroke{is_filled ? names_.unique(name + " stroke") : name, element.line, false, own_outline};
+      stroke.stroke = stroke_style(element, declared, context, notices_);
+      stroke.map = context.map;
+      scene_.shapes.push_back(std::move(stroke));
+    };
+    if (is_area && is_under) add_stroke();
+    if (is_filled) scene_.shapes.push_back({name, element.line, context.fill_rule == "evenodd", std::move(outline)});
+    if (is_area && !is_under) add_stroke();
   }
 
   const ElementTree& tree_;
+  SceneOptions options_;
   StyleSheets sheets_;
   ShapeNames names_;
   Scene scene_;
   Notices notices_;
+  ClipPaths clip_paths_;
   std::vector<bool> in_use_;
   std::unordered_map<std::string, long> numbers_;
   std::size_t steps_ = 0;
@@ -318,6 +345,6 @@ class Walker {
 
 }  // namespace
 
-Scene read_scene(const ElementTree& tree) { return Walker(tree).walk(); }
+Scene read_scene(const ElementTree& tree, const SceneOptions& options) { return Walker(tree, options).walk(); }
 
 }  // namespace pliant::svg

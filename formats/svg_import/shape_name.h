@@ -13,11 +13,12 @@ class ShapeNames {
   /// The element's own name; else that of the `use` that shows it (`use` may be null); else its kind and number. No two
   /// names are alike.
   std::string name(const Element& element, const Element* shown_by, long number);
+  /// The name itself, or with a number behind it if it is in use.
+  std::string unique(const std::string& name);
 
  private:
   std::string own_name(const Element& element) const;
   std::string title_of(const Element& element) const;
-  std::string unique(const std::string& name);
 
   const ElementTree& tree_;
   std::unordered_map<std::string, long> used_;

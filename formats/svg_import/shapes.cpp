@@ -1,4 +1,4 @@
-// formats/svg_import/shapes.cpp: the outlines of path, rect, circle, ellipse, polyline and polygon.
+// formats/svg_import/shapes.cpp: the outlines of path, rect, circle, ellipse, line, polyline and polygon.
 #include "formats/svg_import/shapes.h"
 
 #include <algorithm>
@@ -146,6 +146,11 @@ Outline outline_of(const Element& element, const Viewport& viewport) {
   }
   if (element.name == "rect") {
     add_rect(out, element, viewport);
+    return out;
+  }
+  if (element.name == "line") {
+    out.move({length_of(element, "x1", Along::x, viewport), length_of(element, "y1", Along::y, viewport)});
+    out.line({length_of(element, "x2", Along::x, viewport), length_of(element, "y2", Along::y, viewport)});
     return out;
   }
   const Point c{length_of(element, "cx", Along::x, viewport), length_of(element, "cy", Along::y, viewport)};

@@ -1,4 +1,4 @@
-// formats/svg_import/shapes.h: the outlines of path, rect, circle, ellipse, polyline and polygon.
+// formats/svg_import/shapes.h: the outlines of path, rect, circle, ellipse, line, polyline and polygon.
 #pragma once
 #include <limits>
 
@@ -28,7 +28,7 @@ double resolve(const Length& length, Along along, const Viewport& viewport);
 double length_of(const Element& element, const char* attribute, Along along, const Viewport& viewport,
                  double otherwise = 0);
 
-/// Is this the name of an element that has an interior? (`line` has none.)
+/// Is this the name of an element with an outline? (That of `line` has no interior.)
 bool is_shape(std::string_view name);
 
 /// The outline of a shape in its own coordinates, in the direction that SVG prescribes; empty where the shape is not

@@ -8,6 +8,7 @@
 
 #include "formats/svg_import/areas/loops.h"
 #include "formats/svg_import/areas/nesting.h"
+#include "formats/svg_import/areas/painted_strokes.h"
 #include "formats/svg_import/element_tree.h"
 #include "formats/svg_import/scene.h"
 #include "pliant/boundary/arrangement.h"
@@ -28,7 +29,7 @@ constexpr const char* not_apart =
 double size_of(const std::vector<Shape>& shapes) {
   Box box;
   for (const Shape& shape : shapes) {
-    const Box one = box_of(shape.outline);
+    const Box one = box_of(shape);
     if (!(one.low.x <= one.high.x)) continue;
     box.extend(one.low);
     box.extend(one.high);
@@ -38,7 +39,7 @@ double size_of(const std::vector<Shape>& shapes) {
 
 /// Arranges the faces. Curves are exact only to the import's tolerance, so curves closer than that run together. Where
 /// so coarse a snap leaves no arrangement, finer ones are tried; the faults are those of the first try.
-Arrangement arrange_drawing(const std::vector<FilledFace>& faces, double tolerance) {
+Arrangement arrange_drawing(const PaintedLayers& layers, double tolerance) {
   constexpr double finer = 1.0 / 16;
   ArrangeOptions options;
   const double finest = options.tolerance;
@@ -47,7 +48,7 @@ Arrangement arrange_drawing(const std::vector<FilledFace>& faces, double toleran
   options.tip = std::max(options.tip, options.tolerance / 4);
   Arrangement first;
   for (bool is_first = true;; is_first = false) {
-    Arrangement found = arrange(faces, options);
+    Arrangement found = arrange_layers(layers, options);
     if (found.faults.empty()) return found;
     if (is_first) first = std::move(found);
     if (options.tolerance <= finest) return first;
@@ -58,15 +59,16 @@ Arrangement arrange_drawing(const std::vector<FilledFace>& faces, double toleran
 /// All loops of all shapes, and the curves that they become.
 class Drawing {
  public:
-  Drawing(const std::vector<Shape>& shapes, const SvgReadOptions& options, SvgImport& import)
-      : shapes_(shapes), import_(import), tolerance_(options.tolerance) {
-    LoopOptions loop_options;
-    loop_options.degree = options.degree;
-    loop_options.size = import.size;
-    loop_options.tolerance = options.tolerance * import.size;
-    LoopCounts counts;
+  /// `tolerance` is a length.
+  Drawing(const Scene& scene, const SvgReadOptions& options, double tolerance, SvgImport& import)
+      : scene_(scene), shapes_(scene.shapes), import_(import), tolerance_(options.tolerance) {
+    loop_options_.degree = options.degree;
+    loop_options_.size = import.size;
+    loop_options_.tolerance = tolerance;
+    const std::vector<Shape>& shapes = shapes_;
+    LoopCounts& counts = counts_;
     all_.reserve(shapes.size());
-    for (const Shape& shape : shapes) all_.push_back(make_loops(shape.outline, loop_options, counts));
+    for (const Shape& shape : shapes) all_.push_back(make_loops(shape.outline, loop_options_, counts));
     for (std::size_t s = 0; s < shapes.size(); ++s)
       for (const Loop& loop : all_[s]) loops_.push_back({static_cast<int>(s), &loop});
     import.no_area = counts.no_area;
@@ -78,6 +80,7 @@ class Drawing {
   }
 
   bool empty() const { return loops_.empty(); }
+  const LoopCounts& counts() const { return counts_; }
 
   /// The boundary of shapes that are apart: the faces that their loops separate.
   /// Throws      InputError for shapes that meet
@@ -115,16 +118,26 @@ class Drawing {
   /// The boundary of shapes that may meet: a face is what is seen of its shape, and faces are disjoint.
   /// Throws      InputError where the curves cannot be arranged
   void arrange_boundary() {
-    std::vector<FilledFace> faces;
-    faces.reserve(shapes_.size());
+    PaintedLayers layers;
+    std::vector<int> faces_before{0};  // of each shape; one more at the end
     for (std::size_t s = 0; s < shapes_.size(); ++s) {
-      FilledFace face;
-      face.name = shapes_[s].name;
-      face.rule = shapes_[s].even_odd ? FillRule::evenodd : FillRule::nonzero;
-      for (const Loop& loop : all_[s]) face.curves.insert(face.curves.end(), loop.curves.begin(), loop.curves.end());
-      if (!face.curves.empty()) faces.push_back(std::move(face));
+      FilledFace face = filled(shapes_[s], all_[s]);
+      if (!face.curves.empty()) layers.faces.push_back(std::move(face));
+      faces_before.push_back(static_cast<int>(layers.faces.size()));
     }
-    Arrangement arrangement = arrange_drawing(faces, tolerance_);
+    for (const Clip& clip : scene_.clips) {
+      ClipArea area{{}, clip.clips};
+      for (const Shape& part : clip.parts)
+        area.parts.push_back(filled(part, make_loops(part.outline, loop_options_, clip_counts_)));
+      layers.clips.push_back(std::move(area));
+    }
+    for (const StrokeLine& line : scene_.lines)
+      for (BSpline& curve : make_lines(line.outline, loop_options_, clip_counts_))
+        layers.lines.push_back(
+            {line.name, std::move(curve), faces_before[static_cast<std::size_t>(line.above)], line.clips});
+    import_.error = std::max(import_.error, clip_counts_.fit_error + clip_counts_.join_error);
+    import_.lines = static_cast<long>(layers.lines.size());
+    Arrangement arrangement = arrange_drawing(layers, tolerance_);
     if (!arrangement.faults.empty()) {
       std::string text = "the shapes cannot be arranged";
       for (const Fault& fault : arrangement.faults) text += "\n" + fault.text;
@@ -139,10 +152,25 @@ class Drawing {
       import_.warnings.push_back(std::to_string(import_.slivers) + (import_.slivers == 1 ? " sliver" : " slivers") +
                                  " between shapes that nearly meet closed, of an area of " +
                                  describe_number(import_.sliver_area) + " at most");
-    import_.covered = static_cast<long>(faces.size() - import_.boundary.faces.size());
+    import_.covered = static_cast<long>(layers.faces.size() - import_.boundary.faces.size());
+    import_.bare_lines = arrangement.bare_lines;
+    if (import_.bare_lines > 0)
+      import_.warnings.emplace_back("strokes run outside of all faces, and are left out there");
+    if (import_.boundary.faces.empty())
+      throw InputError(
+          "", "nothing is seen: clip paths cut off all that is filled, or it is thinner than four times the tolerance");
   }
 
  private:
+  static FilledFace filled(const Shape& shape, const std::vector<Loop>& loops) {
+    FilledFace face;
+    face.name = shape.name;
+    face.rule = shape.even_odd ? FillRule::evenodd : FillRule::nonzero;
+    face.clips = shape.clips;
+    for (const Loop& loop : loops) face.curves.insert(face.curves.end(), loop.curves.begin(), loop.curves.end());
+    return face;
+  }
+
   const Shape& shape_of(std::size_t loop) const { return shapes_[static_cast<std::size_t>(loops_[loop].shape)]; }
 
   void add_curves(std::size_t l, int left, int right, BoundaryComplex& boundary) const {
@@ -198,9 +226,12 @@ class Drawing {
     throw InputError("", text);
   }
 
+  const Scene& scene_;
   const std::vector<Shape>& shapes_;
   SvgImport& import_;
   double tolerance_;  // as a part of the drawing's size
+  LoopOptions loop_options_;
+  LoopCounts counts_, clip_counts_;
   std::vector<std::vector<Loop>> all_;
   std::vector<ShapeLoop> loops_;
   std::size_t next_loop_ = 0;
@@ -210,37 +241,68 @@ class Drawing {
 
 namespace {
 
-long count_pieces(const std::vector<Shape>& shapes, int degree, double tolerance, double size) {
+LoopCounts count_pieces(const std::vector<Shape>& shapes, int degree, double tolerance, double size) {
   LoopOptions options;
   options.degree = degree;
   options.size = size;
   options.tolerance = tolerance * size;
   LoopCounts counts;
   for (const Shape& shape : shapes) make_loops(shape.outline, options, counts);
-  return counts.pieces;
+  return counts;
 }
 
-/// Notes how many pieces the tolerance costs: many small elements are often the price of one that nobody needs.
-void note_cost(const std::vector<Shape>& shapes, const SvgReadOptions& options, SvgImport& import) {
-  if (import.fitted == 0) return;
+/// "60 cubic curves and arcs"
+std::string describe_curves(const LoopCounts& counts) {
+  const std::string number = std::to_string(counts.curves);
+  if (counts.arcs == 0) return number + (counts.curves == 1 ? " cubic curve" : " cubic curves");
+  if (counts.arcs == counts.curves) return number + (counts.curves == 1 ? " arc" : " arcs");
+  return number + " cubic curves and arcs";
+}
+
+/// Notes what the tolerance costs where it multiplies the curves: many small elements are often the price of one that
+/// nobody needs.
+void note_cost(const std::vector<Shape>& shapes, const SvgReadOptions& options, const LoopCounts& counts,
+               SvgImport& import) {
+  constexpr long worth_a_word = 3;  // spans for each curve
   constexpr double looser = 100;
-  const int other = options.degree == 2 ? 3 : 2;
+  if (counts.fitted < worth_a_word * counts.curves || counts.curves == 0) return;
   const double tolerance = std::min(1.0, looser * options.tolerance);
-  std::array<char, 256> text{};
-  std::snprintf(text.data(), text.size(),
-                "%ld of %ld pieces are fitted to within %.3g of the size; --degree %d would take %ld pieces in all, "
-                "--tolerance %.3g %ld",
-                import.fitted, import.pieces, options.tolerance, other,
-                count_pieces(shapes, other, options.tolerance, import.size), tolerance,
-                count_pieces(shapes, options.degree, tolerance, import.size));
-  import.notes.emplace_back(text.data());
+  std::array<char, 32> now{}, then{};
+  std::snprintf(now.data(), now.size(), "%.3g", options.tolerance);
+  std::snprintf(then.data(), then.size(), "%.3g", tolerance);
+  std::string text = std::string("tolerance ") + now.data() + " made " + std::to_string(counts.fitted) + " spans of " +
+                     describe_curves(counts) + "; ";
+  if (options.degree == 2) {
+    const LoopCounts cubic = count_pieces(shapes, 3, options.tolerance, import.size);
+    text += cubic.fitted == 0 ? "--degree 3 keeps them exactly"
+                              : "--degree 3 takes " + std::to_string(cubic.pieces) + " instead of " +
+                                    std::to_string(counts.pieces) + " spans in all";
+    text += ", ";
+  }
+  const LoopCounts loose = count_pieces(shapes, options.degree, tolerance, import.size);
+  text += std::string("--tolerance ") + then.data() + (options.degree == 2 ? " " : " takes ") +
+          std::to_string(loose.pieces) + " spans in all";
+  import.costs.push_back(std::move(text));
+}
+
+/// Why a drawing of which nothing is filled is refused.
+std::string describe_nothing(const Scene& scene, Strokes strokes) {
+  std::string text = "nothing is filled: " + std::to_string(scene.shapes.size()) + " filled shape" +
+                     (scene.shapes.size() == 1 ? "" : "s") + " without an interior, " + std::to_string(scene.unfilled) +
+                     " without a fill, " + std::to_string(scene.hidden) + " hidden";
+  if (scene.strokes == 0) return text;
+  text += "; " + std::to_string(scene.strokes) + (scene.strokes == 1 ? " has a stroke" : " have strokes");
+  text += strokes == Strokes::curves ? ", but curves of strokes only cut faces, and there are none"
+                                     : ", which --strokes area reads as the area that it paints";
+  return text;
 }
 
 }  // namespace
 
 SvgImport read_svg(std::string_view bytes, const SvgReadOptions& options) {
   SvgImport import;
-  const Scene scene = read_scene(ElementTree(bytes));
+  const bool is_planar = options.planar || options.strokes != Strokes::left_out;
+  Scene scene = read_scene(ElementTree(bytes), {options.unit, options.strokes, is_planar});
   import.warnings = scene.warnings;
   import.shapes = static_cast<long>(scene.shapes.size());
   import.unfilled = scene.unfilled;
@@ -248,14 +310,12 @@ SvgImport read_svg(std::string_view bytes, const SvgReadOptions& options) {
   import.size = size_of(scene.shapes);
   constexpr double least_size = 1e-60;  // squares of small parts of it do not underflow to 0
   if (import.size > 0 && import.size < least_size) throw InputError("", "the drawing is smaller than 1e-60");
-  Drawing drawing(scene.shapes, options, import);
-  if (drawing.empty())
-    throw InputError("", "nothing is filled: " + std::to_string(import.shapes) + " filled shape" +
-                             (import.shapes == 1 ? "" : "s") + " without an interior, " +
-                             std::to_string(import.unfilled) + " without a fill, " + std::to_string(import.hidden) +
-                             " hidden");
-  if (options.compares) note_cost(scene.shapes, options, import);
-  if (options.planar)
+  const double tolerance = paint_strokes(scene, options.tolerance * import.size);
+  Drawing drawing(scene, options, tolerance, import);
+  if (tolerance < options.tolerance * import.size) import.error += options.tolerance * import.size - tolerance;
+  if (drawing.empty()) throw InputError("", describe_nothing(scene, options.strokes));
+  note_cost(scene.shapes, options, drawing.counts(), import);
+  if (is_planar)
     drawing.arrange_boundary();
   else
     drawing.make_boundary();

@@ -9,12 +9,20 @@
 
 namespace pliant {
 
+/// What coordinates of the result count: user units of the drawing's root, or lengths on its page.
+enum class LengthUnit { user, px, mm, cm, in };
+
+/// How strokes are read: not at all; as the curves that they follow, which cut faces; as faces of the area that they
+/// paint.
+enum class Strokes { left_out, curves, area };
+
 struct SvgReadOptions {
   int degree = 2;           ///< highest degree of the curves, 2 or 3; cubics are exact at 3
   double tolerance = 1e-6;  ///< how far fitted cubics and arcs may be off, as a part of the drawing's size; with
                             ///< `planar` curves closer than this run together
   bool planar = false;      ///< shapes may meet: each gives way to those painted after it (arrange)
-  bool compares = false;    ///< say in `notes` how many pieces another degree and a looser tolerance would take
+  Strokes strokes = Strokes::left_out;  ///< any but left_out makes the drawing planar
+  LengthUnit unit = LengthUnit::user;   ///< of the result's coordinates
 };
 
 struct SvgImport {
@@ -22,11 +30,13 @@ struct SvgImport {
   std::vector<std::string> warnings;  ///< a sentence for each kind of thing that is not read
   long shapes = 0;                    ///< filled shapes
   long unfilled = 0, hidden = 0;      ///< shapes left out: without a fill, not displayed or not visible
+  long lines = 0;                     ///< curves of strokes
+  long bare_lines = 0;                ///< pieces of them left out: no face is beside them
   long no_area = 0;                   ///< loops left out: they have no interior
   long no_border = 0;                 ///< loops left out: the same shape on both sides
   long pieces = 0, fitted = 0;        ///< Bézier pieces, and those of them that are not exact
   long smooth = 0, corners = 0;       ///< joins of pieces: simple knots or corners
-  std::vector<std::string> notes;     ///< what the degree and the tolerance cost, if `compares`
+  std::vector<std::string> costs;     ///< a sentence where fitting multiplies the curves: what would take fewer pieces
   long intersections = 0;             ///< of a planar drawing: places where curves meet
   double snapped = 0;                 ///< length: curves closer than this run together
   long slivers = 0;                   ///< pieces of curves that were merged with one beside them

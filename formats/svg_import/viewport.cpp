@@ -54,6 +54,41 @@ Affine fit_view_box(const Element& element, const ViewBox& box, double width, do
   return {sx, 0, 0, sy, x - sx * box.x, y - sy * box.y};
 }
 
+Affine page_map(const Element& root, const Viewport& viewport) {
+  const auto size = [&](const char* attribute) -> std::optional<double> {
+    const std::string* value = root.find(attribute);
+    if (value == nullptr || *value == "auto") return std::nullopt;
+    Length length;
+    try {
+      length = parse_length(*value);
+    } catch (const SyntaxError& e) {
+      refuse(root, attribute, e);
+    }
+    if (length.unit == Unit::percent) return std::nullopt;
+    const bool is_of_window =
+        length.unit == Unit::vw || length.unit == Unit::vh || length.unit == Unit::vmin || length.unit == Unit::vmax;
+    const double resolved = is_of_window ? Viewport::unknown : resolve(length, Along::x, viewport);
+    if (!(resolved > 0 && std::isfinite(resolved)))
+      refuse(root, std::string(attribute) + " is '" + *value + "', which gives the page no size; --unit needs " +
+                       (is_of_window ? "lengths such as 100mm" : "a length above 0"));
+    return resolved;
+  };
+  const std::optional<double> width = size("width"), height = size("height");
+  const auto box = view_box_of(root);
+  if (!box) return {};
+  if (!(box->width > 0 && box->height > 0))
+    refuse(root,
+           "viewBox has no extent, so that a user unit has no length on the page; --unit needs a width and height "
+           "above 0 there");
+  if (!width && !height) return {1, 0, 0, 1, -box->x, -box->y};
+  const double w = width.value_or(height.value_or(0) * (box->width / box->height));
+  const double h = height.value_or(width.value_or(0) * (box->height / box->width));
+  const Affine map = fit_view_box(root, *box, w, h);
+  if (!(std::isfinite(map.a) && std::isfinite(map.d) && map.a > 0 && map.d > 0 && is_finite(Point{map.e, map.f})))
+    refuse(root, "width, height and viewBox give a user unit no length on the page that a number could say");
+  return map;
+}
+
 Viewport root_viewport(const Element& root, double font_size) {
   Viewport viewport;
   const auto size = [&](const char* attribute) {
@@ -76,6 +111,22 @@ Viewport root_viewport(const Element& root, double font_size) {
     viewport.height = box->height;
   }
   return viewport;
+}
+
+double length_of_px(LengthUnit unit) {
+  constexpr double px_in_an_inch = 96;
+  switch (unit) {
+    case LengthUnit::in:
+      return 1 / px_in_an_inch;
+    case LengthUnit::cm:
+      return 2.54 / px_in_an_inch;
+    case LengthUnit::mm:
+      return 25.4 / px_in_an_inch;
+    case LengthUnit::px:
+    case LengthUnit::user:
+      break;
+  }
+  return 1;
 }
 
 }  // namespace pliant::svg

@@ -12,7 +12,9 @@ for degree in 1 2 3 4; do
 done
 for i in 0 1 2 3 4; do sample_mesh three 2 0.$i; done >series.jsonl
 export-gltf --color field:u --circle 1.5,0.5,0.25 series.jsonl -o series.glb
-export-gltf --color shape --quantize series.jsonl -o quantized.glb
+export-gltf --color shape --precision float series.jsonl -o float.glb
+export-gltf --color face --height u --lit series.jsonl -o lifted.glb
+export-gltf --color field:u --height u:-0.5 --lit --precision float series.jsonl -o lifted-float.glb
 export-gltf --color face series.jsonl -o series.gltf
 head -n 2 series.jsonl | export-gltf >two.glb
 sample_mesh tangled 2 | export-gltf -o tangled.gltf

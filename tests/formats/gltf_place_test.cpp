@@ -15,7 +15,10 @@ Box world_box(const tinygltf::Model& model, const std::string& frame_name) {
     return list.empty() ? otherwise : list[axis];
   };
   const tinygltf::Node root = named("mesh"), frame = named(frame_name);
-  for (const int child : frame.children) {
+  const auto node_of = [&](int node) { return model.nodes[static_cast<std::size_t>(node)]; };
+  const bool has_box = node_of(frame.children.front()).name == "box";
+  const tinygltf::Node placing = has_box ? node_of(frame.children.front()) : tinygltf::Node();
+  for (const int child : has_box ? placing.children : frame.children) {
     const tinygltf::Node& node = model.nodes[static_cast<std::size_t>(child)];
     if (node.name != "elements") continue;
     const auto& primitive = model.meshes[static_cast<std::size_t>(node.mesh)].primitives.front();
@@ -26,8 +29,8 @@ Box world_box(const tinygltf::Model& model, const std::string& frame_name) {
       for (std::size_t axis = 0; axis < 2; ++axis)
         at[axis] =
             number(root.translation, axis, 0) +
-            number(root.scale, axis, 1) * (number(frame.translation, axis, 0) + number(node.translation, axis, 0) +
-                                           number(node.scale, axis, 1) * values[axis] / whole);
+            number(root.scale, axis, 1) * (number(frame.translation, axis, 0) + number(placing.translation, axis, 0) +
+                                           number(placing.scale, axis, 1) * values[axis] / whole);
       return Point{at[0], at[1]};
     };
     box.extend(corner(accessor.minValues));

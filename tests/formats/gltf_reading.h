@@ -47,6 +47,7 @@ inline tinygltf::Model model_of(const std::vector<MeshData>& series, GltfOptions
 inline GltfOptions colored_by(const std::string& color) {
   GltfOptions options;
   options.color = parse_color_by(color);
+  options.quantize = false;  // numbers as they are
   return options;
 }
 
@@ -73,6 +74,9 @@ inline std::vector<double> numbers(const tinygltf::Model& model, int index) {
           break;
         case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
           result.push_back(read(std::uint8_t{}));
+          break;
+        case TINYGLTF_COMPONENT_TYPE_SHORT:
+          result.push_back(read(std::int16_t{}));
           break;
         case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
           result.push_back(read(std::uint16_t{}));

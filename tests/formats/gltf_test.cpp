@@ -1,4 +1,10 @@
 // tests/formats/gltf_test.cpp: scenes read back by another reader: geometry, colours, animation.
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <random>
+
+#include "formats/document/document_value.h"
+#include "formats/picture/cut_polygon.h"
 #include "tests/formats/gltf_reading.h"
 
 namespace pliant {
@@ -166,15 +172,156 @@ TEST_CASE("quantized positions are within half a step of the true ones", "[forma
   options.quantize = true;
   const tinygltf::Model small = model_of({mesh}, options);
   CHECK(small.extensionsRequired == std::vector<std::string>{"KHR_mesh_quantization"});
-  const auto elements = std::find_if(small.nodes.begin(), small.nodes.end(),
-                                     [](const tinygltf::Node& node) { return node.name == "elements"; });
+  const auto box = std::find_if(small.nodes.begin(), small.nodes.end(),
+                                [](const tinygltf::Node& node) { return node.name == "box"; });
   const std::vector<double> exact = numbers(plain, find_primitive(plain, "elements")->attributes.at("POSITION"));
   const std::vector<double> steps = numbers(small, find_primitive(small, "elements")->attributes.at("POSITION"));
   REQUIRE(exact.size() == steps.size());
   for (std::size_t i = 0; i < exact.size(); ++i) {
-    const double scale = elements->scale[i % 3];
-    CHECK(std::abs(steps[i] / 65535 * scale + elements->translation[i % 3] - exact[i]) <= 0.51 * scale / 65535 + 1e-7);
+    if (i % 3 == 2) {
+      CHECK(steps[i] == 0);
+      continue;
+    }
+    const double scale = box->scale[i % 3];
+    CHECK(std::abs(steps[i] / 65535 * scale + box->translation[i % 3] - exact[i]) <= 0.51 * scale / 65535 + 1e-7);
   }
+}
+
+TEST_CASE("a polygon is cut into triangles that cover it once", "[formats][gltf][property]") {
+  const int seed = GENERATE(range(0, 40));
+  CAPTURE(seed);
+  // A star around the origin, with corners on straight lines between.
+  std::mt19937_64 random(static_cast<std::uint64_t>(seed));
+  std::uniform_real_distribution<double> radius(0.3, 1);
+  std::vector<Point> star, corners;
+  const int n = 3 + seed % 8;
+  for (int k = 0; k < n; ++k) {
+    const double angle = 2 * std::numbers::pi * k / n, r = radius(random);
+    star.push_back({r * std::cos(angle), r * std::sin(angle)});
+  }
+  for (std::size_t k = 0; k < star.size(); ++k) {
+    const Point &a = star[k], &b = star[(k + 1) % star.size()];
+    for (int step = 0; step <= seed % 3; ++step) corners.push_back(a + (b - a) * (double(step) / (seed % 3 + 1)));
+  }
+  double whole = 0, sum = 0;
+  for (std::size_t k = 0; k < corners.size(); ++k)
+    whole += cross(corners[k] - Point{}, corners[(k + 1) % corners.size()] - Point{}) / 2;
+  const auto triangles = cut_polygon(corners);
+  CHECK(triangles.size() == corners.size() - 2);
+  std::set<std::array<int, 2>> sides;
+  for (const auto& [a, b, c] : triangles) {
+    const auto at = [&corners](int k) { return corners[static_cast<std::size_t>(k)]; };
+    CHECK(cross(at(b) - at(a), at(c) - at(a)) > -1e-15);  // corners on a line are on it but for rounding
+    sum += cross(at(b) - at(a), at(c) - at(a)) / 2;
+    for (const auto& side : {std::array{a, b}, std::array{b, c}, std::array{c, a}}) CHECK(sides.insert(side).second);
+  }
+  CHECK(sum == Approx(whole));
+  std::size_t alone = 0;
+  for (const auto& [from, to] : sides) alone += sides.count({to, from}) == 0;
+  CHECK(alone == corners.size());
+}
+
+TEST_CASE("a field lifts the surface: heights are its values, times the scale, above the least of all frames",
+          "[formats][gltf]") {
+  const bool quantize = GENERATE(false, true), given = GENERATE(false, true);
+  std::vector<MeshData> series;
+  for (const double shift : {0.0, 3.0}) {
+    series.push_back(samples::disk(2));
+    samples::add_field(series.back(), "lift", 1,
+                       [shift](const Point& p) { return std::vector<double>{1e3 + shift + 2 * p.x - p.y}; });
+  }
+  GltfOptions options = colored_by("none");
+  options.quantize = quantize;
+  options.height = parse_color_by("field:lift");
+  options.lit = true;
+  if (given) options.height_scale = 0.5;
+  const tinygltf::Model model = model_of(series, options);
+  const auto& about = model.asset.extras.Get("height");
+  const double scale = about.Get("scale").GetNumberAsDouble(), zero = about.Get("zero").GetNumberAsDouble();
+  if (given) CHECK(scale == 0.5);
+  const double size = bounding_box(series[0]).size();
+  int frame = 0;
+  double most = 0;
+  for (const tinygltf::Node& box : model.nodes) {
+    if (box.name != "box") continue;
+    for (const int child : box.children) {
+      const tinygltf::Node& node = model.nodes[static_cast<std::size_t>(child)];
+      if (node.name != "elements") continue;
+      const tinygltf::Primitive& part = model.meshes[static_cast<std::size_t>(node.mesh)].primitives[0];
+      const std::vector<double> at = numbers(model, part.attributes.at("POSITION"));
+      const std::vector<double> normals = numbers(model, part.attributes.at("NORMAL"));
+      const auto axis = [&box](const std::vector<double>& list, std::size_t k, double other) {
+        return list.empty() ? other : list[k];
+      };
+      for (std::size_t i = 0; i < at.size(); i += 3) {
+        std::array<double, 3> p{}, normal{};
+        double length = 0;
+        for (std::size_t k = 0; k < 3; ++k) {
+          const double part_of_box = quantize ? at[i + k] / 65535 : at[i + k];
+          p[k] = axis(box.translation, k, 0) + axis(box.scale, k, 1) * part_of_box;
+          normal[k] = normals[i + k] / axis(box.scale, k, 1);
+          length = std::hypot(length, normal[k]);
+        }
+        // The disk is around the origin, as is the scene.
+        const double value = 1e3 + 3 * frame + 2 * p[0] - p[1];
+        CHECK(std::abs(p[2] - (value - zero) * scale) < 2e-4 * size);
+        CHECK(normal[2] / length == Approx(1 / std::hypot(1, 2 * scale, scale)).epsilon(5e-3));
+        most = std::max(most, p[2]);
+      }
+    }
+    ++frame;
+  }
+  CHECK(frame == 2);
+  if (!given) CHECK(most == Approx(size / 4).epsilon(1e-3));
+}
+
+TEST_CASE("heights by face jump: faces share no vertices, and each side of a curve has its band", "[formats][gltf]") {
+  MeshData mesh = samples::three_disks(2);
+  Field& field = mesh.fields.emplace_back();
+  field.name = "level";
+  field.by_face = true;
+  std::set<std::array<std::int32_t, 2>> places;
+  const std::size_t size = mesh.triangles.size() / mesh.triangle_faces.size();
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
+    places.insert({mesh.triangles[i], mesh.triangle_faces[i / size]});
+  for (const auto& place : places) {
+    field.places.push_back(place);
+    field.values.push_back(place[1]);
+  }
+  GltfOptions options = colored_by("none");
+  options.height = parse_color_by("field:level");
+  options.height_scale = 1;
+  const tinygltf::Model model = model_of({mesh}, options);
+  const tinygltf::Primitive& part = *find_primitive(model, "elements");
+  const std::vector<double> at = numbers(model, part.attributes.at("POSITION")), index = numbers(model, part.indices);
+  for (std::size_t i = 0; i < index.size(); i += 3) {
+    const auto z = [&](std::size_t k) { return at[3 * static_cast<std::size_t>(index[i + k]) + 2]; };
+    CHECK(z(0) == z(1));
+    CHECK(z(1) == z(2));
+  }
+  std::set<double> levels;
+  for (std::size_t i = 2; i < at.size(); i += 3) levels.insert(at[i]);
+  CHECK(levels.size() == mesh.boundary.faces.size());
+}
+
+TEST_CASE("equal indices are stored once, and bands share one array", "[formats][gltf]") {
+  const std::vector<MeshData> series(5, samples::disk(2));
+  const tinygltf::Model model = model_of(series, colored_by("face"));
+  std::set<int> elements, curves;
+  for (const tinygltf::Mesh& mesh : model.meshes) {
+    if (mesh.name == "elements") elements.insert(mesh.primitives[0].indices);
+    if (mesh.name == "curves") curves.insert(mesh.primitives[0].indices);
+  }
+  CHECK(elements.size() == 1);
+  CHECK(curves.size() == 1);
+}
+
+TEST_CASE("a document's history is in the file", "[formats][gltf]") {
+  MeshData mesh = samples::disk(2);
+  mesh.extra.emplace_back("history",
+                          to_document(Json::parse(R"([{"tool":"refine","version":"0.1","options":["-q"]}])")));
+  const tinygltf::Model model = model_of({mesh}, colored_by("face"));
+  CHECK(model.asset.extras.Get("history").Get(0).Get("tool").Get<std::string>() == "refine");
 }
 
 TEST_CASE("elements that are not valid are a part of their own", "[formats][gltf]") {

@@ -12,11 +12,20 @@ namespace {
 
 /// "a, b: 0 0 4 4" (faces, and their box with y downwards), then the warnings, counts of what is left out, or the
 /// error.
-std::string read_drawing(const std::string& content) {
+/// In front of the content `--planar ` or `--strokes ` (for areas) may stand.
+std::string read_drawing(std::string content) {
+  SvgReadOptions options;
+  for (const std::string option : {"--planar ", "--strokes "}) {
+    if (content.rfind(option, 0) != 0) continue;
+    content.erase(0, option.size());
+    options.planar = true;
+    if (option == "--strokes ") options.strokes = Strokes::area;
+  }
   try {
     const SvgImport import = read_svg(
         "<svg xmlns='http://www.w3.org/2000/svg' xmlns:xlink='http://www.w3.org/1999/xlink' viewBox='0 0 100 100'>" +
-        content + "</svg>");
+            content + "</svg>",
+        options);
     std::string out;
     for (const Face& face : import.boundary.faces) out += (out.empty() ? "" : ", ") + face.name;
     const Box box = bounding_box(import.boundary);
@@ -56,12 +65,23 @@ std::string chain_of_uses(int length) {
   return out + "<rect id='u" + std::to_string(length) + "' width='1' height='1'/>";
 }
 
+/// Clip paths, each of which is clipped by the next one.
+std::string chain_of_clips(int length) {
+  std::string out;
+  for (int k = 0; k < length; ++k)
+    out += "<clipPath id='c" + std::to_string(k) + "' clip-path='url(#c" + std::to_string(k + 1) + ")'/>";
+  return out + "<clipPath id='c" + std::to_string(length) + "'/>";
+}
+
 const std::string end = "<rect id='b' x='9' width='1' height='1'/>";
 std::string square(const std::string& attributes) { return "<rect id='a' width='4' height='4' " + attributes + "/>"; }
 
 std::vector<Case> drawing_cases() {
   const std::string basic = "`rect`, `circle`, `ellipse`, `polygon`, `polyline`", groups = "`g`, `a`, `switch`",
                     viewports = "`svg`, `symbol`", opacity = "`fill-opacity`, `opacity`",
+                    strokes =
+                        "`stroke`, `stroke-width`, `stroke-opacity`, `stroke-linejoin`, `stroke-linecap`, "
+                        "`stroke-miterlimit`, `stroke-dasharray`, `stroke-dashoffset`, `paint-order`",
                     shown = "`fill-rule`, `display`, `visibility`",
                     lengths = "`x`, `y`, `width`, `height`, `cx`, `cy`, `r`, `rx`, `ry`, `d`";
   return {
@@ -97,6 +117,29 @@ std::vector<Case> drawing_cases() {
            end,
        "a: 0 0 4 4, degree 1\nunfilled 1, hidden 0"},
       {"`style`", "<style media='print'>rect{fill:none}</style>" + square(""), "style sheets for"},
+      {"`clipPath`",
+       "--planar <clipPath id='c'><rect width='2' height='9'/></clipPath>" + square("clip-path='url(#c)'"),
+       "a: 0 0 2 4"},
+      {"`clip-path`, `clip-rule`",
+       "--planar <clipPath id='c'><path clip-rule='evenodd' d='M0 0h4v4h-4zM1 0h4v4h-4z'/></clipPath>" +
+           square("clip-path='url(#c)'"),
+       "a: 0 0 1 4"},
+      {"`clip-path`, `clip-rule`", "--planar " + square("clip-path='inset(1)'"), "is no url(#id)"},
+      {strokes, "--strokes <line id='l' x2='8' stroke='red' stroke-width='2' stroke-linecap='square'/>",
+       "l: -1 -1 9 1"},
+      {strokes, "--strokes <line id='l' x2='8' stroke='red' stroke-dasharray='1' stroke-opacity='0'/>" + square(""),
+       "unfilled 1"},
+      {strokes, "--strokes <line x2='8' stroke='red' stroke-linejoin='arcs'/>", "taken for miter"},
+      {strokes, "--strokes <line x2='8' stroke='red' vector-effect='non-scaling-stroke'/>", "vector-effect"},
+      {strokes, "--strokes <line x2='8' stroke='red' pathLength='9' stroke-dasharray='1'/>", "pathLength"},
+      {strokes, "--strokes <path fill='none' d='M0 0h9v9' stroke='red' stroke-miterlimit='1' stroke-dashoffset='3'/>",
+       "path 1: 0 -0.5 9.5 9"},
+      {strokes, "--strokes <rect width='4' height='4' stroke='red' stroke-width='2' paint-order='stroke'/>",
+       "rect 1 stroke, rect 1: -1 -1 5 5"},
+      {"dashes of a stroke", "--strokes <line x2='9' stroke='red' stroke-dasharray='1e-5'/>",
+       "more than 100000 dashes"},
+      {"clip paths that clip each other", "--planar " + square("clip-path='url(#c0)'") + chain_of_clips(51),
+       "more than 50 clip paths"},
       {"`title`", "<path id='path12' d='M0 0h1v1z'><title>wing</title></path>", "wing: 0 0 1 1"},
       {"`transform`", square("transform='translate(9,1)scale(2)rotate(90)'"), "a: 1 1 9 9"},
       {"`transform`", square("transform='matrix(1 0 0 2 3 4)'"), "a: 3 4 7 12"},
@@ -137,8 +180,8 @@ std::vector<Case> drawing_cases() {
       {"elements", repeated(257, "<g>") + repeated(257, "</g>"), "elements are nested deeper than 256"},
       {"elements shown, each copy by `use` counted", copies(square(""), 6), "more than 1000000 elements"},
       {"elements shown, each copy by `use` counted", chain_of_uses(500), "nested deeper than 400"},
-      {"segments of all outlines, each copy counted", copies("<path d='M0 0" + repeated(300, "h1v1") + "z'/>", 4),
-       "more than 2000000 segments"},
+      {"segments of all outlines, each copy counted; the same of all clip paths, and of all strokes' areas",
+       copies("<path d='M0 0" + repeated(300, "h1v1") + "z'/>", 4), "more than 2000000 segments"},
       {"selectors of style sheets", "<style>" + repeated(2001, "a{r:1px}") + "</style>", "more than 2000 selectors"},
       {"coordinates", square("transform='scale(1e60)'"), "a coordinate is beyond 1e60"},
       {"coordinates", square("transform='scale(1e-61)'"), "the drawing is smaller than 1e-60"},

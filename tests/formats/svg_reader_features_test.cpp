@@ -258,12 +258,11 @@ TEST_CASE("a looser tolerance never takes more pieces, and a note tells what ano
   const std::string drawing =
       "<path d='M20 50C34 10 76 8 102 22 94 52 52 70 20 50z'/><path d='M10 90C90 190 60 -90 90 95z'/>"
       "<ellipse cx='160' cy='48' rx='40' ry='13'/><path d='M0 200a30 50 -30 0 1 50 -25q9 40-10 70z'/>";
-  const auto pieces = [&](double tolerance, int degree, bool compares = false) {
+  const auto pieces = [&](double tolerance, int degree) {
     SvgReadOptions options;
     options.tolerance = tolerance;
     options.degree = degree;
     options.planar = true;
-    options.compares = compares;
     return read_svg("<svg>" + drawing + "</svg>", options);
   };
   for (const int degree : {2, 3}) {
@@ -275,11 +274,15 @@ TEST_CASE("a looser tolerance never takes more pieces, and a note tells what ano
       last = count;
     }
   }
-  const SvgImport import = pieces(1e-6, 2, true);
-  REQUIRE(import.notes.size() == 1);
-  CHECK_THAT(import.notes[0], Catch::Contains("--degree 3 would take " + std::to_string(pieces(1e-6, 3).pieces)) &&
-                                  Catch::EndsWith(" " + std::to_string(pieces(1e-4, 2).pieces)));
-  CHECK(pieces(1e-6, 2).notes.empty());
+  const SvgImport import = pieces(1e-6, 2), cubic = pieces(1e-6, 3);
+  REQUIRE(import.costs.size() == 1);
+  CHECK(import.costs[0] == "tolerance 1e-06 made " + std::to_string(import.fitted) +
+                               " spans of 8 cubic curves and arcs; --degree 3 takes " + std::to_string(cubic.pieces) +
+                               " instead of " + std::to_string(import.pieces) + " spans in all, --tolerance 0.0001 " +
+                               std::to_string(pieces(1e-4, 2).pieces) + " spans in all");
+  CHECK(pieces(1e-1, 2).costs.empty());
+  CHECK_THAT(read("<path d='M20 50C34 10 76 8 102 22z'/>").costs.at(0),
+             Catch::Contains(" spans of 1 cubic curve; --degree 3 keeps them exactly, "));
 }
 
 TEST_CASE("a looser tolerance never takes more pieces of curves at random", "[svg][property]") {

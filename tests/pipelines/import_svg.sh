@@ -55,6 +55,39 @@ run 2 import-svg --tolerance 0 cells.svg
 run 2 import-svg --tolerance 1e-13 cells.svg
 run 2 import-svg --report - cells.svg
 
+# Strokes and clip paths.
+cat >lines.svg <<'END'
+<svg xmlns="http://www.w3.org/2000/svg" width="100mm" viewBox="0 0 200 100">
+  <clipPath id="left"><circle cx="60" cy="50" r="45"/></clipPath>
+  <rect id="pond" x="10" y="10" width="180" height="80" clip-path="url(#left)"/>
+  <g fill="none" stroke="black" stroke-width="4">
+    <path id="wave" d="M0 50C20 20 40 80 60 50S90 20 120 60" stroke-linecap="round"/>
+    <circle id="ring" cx="60" cy="50" r="20"/><path id="over" d="M30 30h30M50 30h20M40 30v20"/>
+    <path id="touch" d="M40 20q20 20 40 0M60 30v-5" stroke-dasharray="9 3"/>
+  </g>
+</svg>
+END
+for kind in curves area; do
+  for degree in 2 3; do
+    run 0 import-svg --strokes $kind --degree $degree --tolerance 1e-4 --unit mm lines.svg -o lines.json
+    if has_tool bspline2mesh && has_tool qualityreport; then
+      run 0 bspline2mesh -q lines.json -o mesh.json
+      run 0 qualityreport -q --fail-if 'invalid > 0' --fail-if 'faults > 0' --fail-if 'overlaps > 0' mesh.json
+    fi
+  done
+done
+run 0 import-svg --strokes curves lines.svg
+says 'strokes run outside of all faces'
+run 2 import-svg --strokes both lines.svg
+run 2 import-svg --unit miles lines.svg
+sed 's/<rect id="pond".*//' lines.svg >bare.svg
+run 3 import-svg bare.svg
+says 'which --strokes area reads as the area that it paints'
+run 3 import-svg --strokes curves bare.svg
+says 'curves of strokes only cut faces'
+run 3 bash -c 'echo "<svg><path stroke=\"red\" d=\"M0 0H1e9\" stroke-dasharray=\".1\"/></svg>" | import-svg --strokes area'
+says 'more than 100000 dashes'
+
 # Bad files.
 sed 's/a20 20 0 1 1 40 0/a20 20 0 2 1 40 0/' cells.svg >flag.svg
 run 3 import-svg flag.svg

@@ -14,7 +14,7 @@ except ImportError:
     sys.exit(77)
 
 source = pathlib.Path(sys.argv[1])
-schemas = {name: json.loads((source / "formats" / f"{name}.schema.json").read_text()) for name in ("mesh", "boundary", "evolve_log", "problem")}
+schemas = {name: json.loads((source / "formats" / f"{name}.schema.json").read_text()) for name in (file.name.split(".")[0] for file in sorted((source / "formats").glob("*.schema.json")))}
 store = {f"{name}.schema.json": schema for name, schema in schemas.items()}
 
 
@@ -38,7 +38,15 @@ for name in schemas:
         failures += [f"{name}.md: {e.json_path} {e.message}" for e in validators[name].iter_errors(examples[name])]
         if name == "problem":
             problems.update({section: examples[name] for section in ("diffuse", "navierstokes") if section in examples[name]})
-assert len(examples) == 4 and len(problems) == 2
+# Every page with a document in it has a schema beside it, and every schema a page with an example.
+shown = {page.stem for page in (source / "formats").glob("*.md") if "```json" in page.read_text()}
+assert shown == set(schemas) == set(examples) and len(schemas) >= 6, (shown, set(schemas))
+for page in (source / "formats").glob("*.md"):
+    fences = re.findall(r"^```(\w*)$", page.read_text(), re.M)
+    failures += [f"{page.name}: a fence '{kind}', which no test reads" for kind in fences[::2] if kind != "json"]
+assert len(problems) == 2
+if subprocess.run(["bspline2mesh", "-q"], input=json.dumps(examples["boundary"]), text=True, capture_output=True).returncode != 0:
+    failures.append("boundary.md: bspline2mesh refuses the example")
 if status(examples["mesh"]) != 0:
     failures.append("mesh.md: the tools refuse the example")
 
@@ -184,6 +192,23 @@ for number, edit in enumerate((
     edit(line)
     if validators["evolve_log"].is_valid(line):
         failures.append(f"the schema of the log accepts edit {number}")
+
+for number, edit in enumerate((
+        lambda d: d.pop("tool"),
+        lambda d: d.update(frame=-1),
+        lambda d: d.update(colour="red"),
+        lambda d: d["values"].update(inserted="3"),
+        lambda d: d["refusals"].update(why=0),
+        lambda d: d["refused_at"][0].pop("x"),
+        lambda d: d["before"].pop("fields"),
+        lambda d: d["after"].update(invalid=0.5),
+        lambda d: d.pop("missed_after"),
+        lambda d: d["growth"][0].update(l2="1"),
+        lambda d: d["seconds"].update(read=-1))):
+    line = copy.deepcopy(examples["pass_report"])
+    edit(line)
+    if validators["pass_report"].is_valid(line):
+        failures.append(f"the schema of reports accepts edit {number}")
 
 print("\n".join(failures))
 sys.exit(1 if failures else 0)

@@ -21,11 +21,12 @@ void CriteriaOptions::add(CLI::App& app, bool fields) {
       ->type_name("DEG");
   app.add_option("--max-area", max_area_text_, "greatest area of an element")->type_name("AREA");
   app.add_option("--face-area", face_area_texts_, "greatest area of an element in one face (repeatable)")
-      ->type_name("NAME=AREA")
+      ->type_name("FACE=AREA")
       ->allow_extra_args(false);
   app.add_option("--size", size_text_, "wanted edge length, an expression in x, y, t")->type_name("EXPR");
   if (fields)
-    app.add_option("--size-field", size_field_, "wanted edge length, too: the values of this field")->type_name("NAME");
+    app.add_option("--size-field", size_field_, "wanted edge length, too: the values of this field")
+        ->type_name("FIELD");
   app.add_option("--max-turning", max_turning_text_, "greatest angle by which an edge turns, degrees")
       ->type_name("DEG");
   app.add_option("--accuracy", accuracy_text_,

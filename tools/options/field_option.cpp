@@ -24,7 +24,7 @@ void FieldOption::add(CLI::App& app) {
   app.add_option("--field", texts_,
                  "make or replace a field: an expression in x, y, t for each component, separated by commas, on one "
                  "face or all (repeatable)")
-      ->type_name("NAME[@FACE]=EXPR[,EXPR]")
+      ->type_name("FIELD[@FACE]=EXPR[,EXPR]")
       ->allow_extra_args(false);
 }
 

@@ -26,9 +26,9 @@ constexpr Method methods[] = {{"euler", TimeMethod::euler},
                               {"rk4", TimeMethod::rk4},
                               {"dopri5", TimeMethod::dopri5}};
 
-std::string method_names() {
+std::string method_names(const char* separator = ", ") {
   std::string names;
-  for (const Method& each : methods) names += (names.empty() ? "" : ", ") + std::string(each.name);
+  for (const Method& each : methods) names += (names.empty() ? "" : separator) + std::string(each.name);
   return names;
 }
 
@@ -98,7 +98,7 @@ void MotionOption::add(CLI::App& app, Offer offer) {
 
 void MotionOption::add_method(CLI::App& app) {
   app.add_option("--method", method_, "how points are carried: " + method_names())
-      ->type_name("NAME")
+      ->type_name(method_names("|"))
       ->capture_default_str();
   app.add_option("--tol", tolerance_text_,
                  "with --method dopri5: what the estimates of the error within DT may sum up to, a length (1e-9 of the "

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "options/numbers.h"
+#include "options/obstacles.h"
 #include "run/exit_status.h"
 
 namespace pliant {
@@ -26,11 +27,15 @@ void PictureOptions::add(CLI::App& app) {
   app.add_option("--color", color_,
                  "what colours the elements: none, face, field:NAME[.COMPONENT] (counted from 0; without it the "
                  "length), or a metric of qualityreport")
-      ->type_name("WHAT")
+      ->type_name("none|face|field:FIELD[.COMPONENT]|METRIC")
       ->capture_default_str();
   std::string names;
-  for (const Colormap& each : colormaps()) names.append(names.empty() ? "" : ", ").append(each.name);
-  app.add_option("--colormap", map_, "one of " + names)->type_name("NAME")->capture_default_str();
+  for (const Colormap& each : colormaps()) names.append(names.empty() ? "" : "|").append(each.name);
+  app.add_option_function<std::string>(
+         "--colormap", [this](const std::string& name) { map_ = name, map_given_ = true; },
+         "the colours, from the least value to the greatest")
+      ->type_name(names)
+      ->default_str(map_);
   app.add_option("--range", range_, "values of the first and the last colour; by default those of the input")
       ->type_name("LOW:HIGH");
   app.add_option("--subdivide", subdivide, "cut every edge into N pieces; 0: as many as it takes")
@@ -56,11 +61,7 @@ void PictureOptions::check() {
     if (ends[0] > ends[1]) throw UsageError("--range " + range_ + ": LOW is above HIGH");
     range = {ends[0], ends[1]};
   }
-  for (const std::string& text : circles_) {
-    const std::vector<double> numbers = parse_numbers("--circle", text, ',', 3, "X,Y,R");
-    if (!(numbers[2] > 0)) throw UsageError("--circle " + text + ": the radius must be positive");
-    circles.push_back({{numbers[0], numbers[1]}, numbers[2]});
-  }
+  circles = parse_circles(circles_);
 }
 
 }  // namespace pliant

@@ -19,6 +19,8 @@ class PictureOptions {
   void add(CLI::App& app);
   /// Reads the texts; call it before any input is read.   Throws UsageError
   void check();
+  /// True if the command line names a colour map.
+  bool names_map() const { return map_given_; }
 
   ColorBy color;
   const Colormap* map = nullptr;
@@ -28,6 +30,7 @@ class PictureOptions {
   std::vector<Circle> circles;
 
  private:
+  bool map_given_ = false;
   std::string color_ = "shape", map_ = "viridis", range_;
   std::vector<std::string> circles_;
 };

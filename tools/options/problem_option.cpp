@@ -72,7 +72,7 @@ void ProblemOption::add(CLI::App& app) {
                  "one already")
       ->type_name("FILE");
   app.add_option("--set", set_texts_, "give a parameter of the problem this value (repeatable)")
-      ->type_name("NAME=VALUE")
+      ->type_name("PARAMETER=VALUE")
       ->allow_extra_args(false);
   app.add_flag("--explain", wants_explanation_,
                "print what stands on each face and curve, unknowns and memory; solve nothing");

@@ -73,19 +73,19 @@ void VelocityOption::add(CLI::App& app) {
          "a named flow (\"help\" lists them), or the velocity field of another mesh or series of meshes: a FILE "
          "contains "
          "\"/\", ends in .json or .jsonl, or exists and is no flow's name")
-      ->type_name("NAME[:KEY=VALUE,...]|FILE");
+      ->type_name("FLOW[:KEY=VALUE,...]|FILE");
   app.add_option("--flow-field", flow_field_, "with --flow FILE: the name of the field")
-      ->type_name("NAME")
+      ->type_name("FIELD")
       ->capture_default_str();
   app.add_option("--outside", outside_,
                  "with --flow FILE, outside its mesh or its times: \"error\", or \"nearest\" for the nearest point and "
                  "frame")
-      ->type_name("WHAT")
+      ->type_name("error|nearest")
       ->capture_default_str();
-  app.add_option("--velocity-field", field_, "a field of two components that the mesh carries")->type_name("NAME");
+  app.add_option("--velocity-field", field_, "a field of two components that the mesh carries")->type_name("FIELD");
   app.add_option("--acceleration-field", acceleration_,
                  "with --velocity-field: another such field, for a step of second order in time")
-      ->type_name("NAME");
+      ->type_name("FIELD");
 }
 
 bool VelocityOption::is_given(const CLI::App& app) {

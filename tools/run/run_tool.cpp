@@ -11,6 +11,7 @@
 #include <new>
 #include <system_error>
 
+#include "completion/completion.h"
 #include "options/usage.h"
 #include "run/documents.h"
 #include "run/doubts.h"
@@ -46,6 +47,7 @@ int run_tool(CLI::App& app, int argc, char** argv, ToolOptions& options, const s
     return exit_status;
   };
   options.tool = app.get_name();
+  if (answer_completion(app, argc, argv)) return status::done;
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {

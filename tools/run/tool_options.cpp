@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 
+#include "completion/completion.h"
 #include "run/history.h"
 #include "run/progress_line.h"
 
@@ -23,6 +24,7 @@ void add_common_options(CLI::App& app, ToolOptions& options, bool writes_documen
   app.add_flag("-v,--verbose", options.verbose, "say what was done")->excludes(quiet);
   if (app.get_version_ptr() == nullptr)  // else the tool has more to say
     app.set_version_flag("--version", app.get_name() + " (Pliant) " PLIANT_VERSION);
+  add_completion(app);
 }
 
 void add_form_option(CLI::App& app, ToolOptions& options) {

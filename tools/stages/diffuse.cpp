@@ -34,10 +34,10 @@ void DiffuseStage::add_options(CLI::App& app) {
       ->capture_default_str();
   app.add_option("--scheme", scheme_,
                  "how a step is taken: sdirk2 (order 2, damping), crank-nicolson (order 2) or euler")
-      ->type_name("NAME")
+      ->type_name("sdirk2|crank-nicolson|euler")
       ->capture_default_str();
   app.add_option("--form", form_, "what is exact to rounding: conservative, the total; nonconservative, constants")
-      ->type_name("NAME")
+      ->type_name("conservative|nonconservative")
       ->capture_default_str();
   app.add_option(
          "--error", errors_,

@@ -29,7 +29,8 @@ void MeasureStage::add_options(CLI::App& app) {
       "inclination, force, mean(FIELD), integral(FIELD), min(FIELD), max(FIELD), flux(FIELD) (repeatable)",
       "[NAME=]CURVE:QUANTITY,...");
   add("--value", values_, "a column computed from those before it, parameters and t (repeatable)", "NAME=EXPR");
-  add("--set", set_, "a parameter for expressions, before those of the mesh's problem (repeatable)", "NAME=NUMBER");
+  add("--set", set_, "a parameter for expressions, before those of the mesh's problem (repeatable)",
+      "PARAMETER=NUMBER");
   add("--line", lines_, "N samples of fields or expressions along a line, for --lines-csv (repeatable)",
       "[NAME=]X0,Y0:X1,Y1:N:FIELD,...");
   app.add_option("--lines-csv", lines_csv_, "append a line for each sample to this table; -: standard output")

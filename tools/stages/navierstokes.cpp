@@ -60,7 +60,7 @@ void NavierStokesStage::add_options(CLI::App& app) {
       ->check(CLI::Range(0, 1000000000))
       ->capture_default_str();
   app.add_option("--scheme", scheme_, "how a step is taken: bdf2 (order 2) or euler")
-      ->type_name("NAME")
+      ->type_name("bdf2|euler")
       ->capture_default_str();
   app.add_option("--corrections", options_.corrections,
                  "solve a step again so often, with the velocity that came out as the one that convects")
@@ -70,7 +70,7 @@ void NavierStokesStage::add_options(CLI::App& app) {
   app.add_option("--mesh-velocity", mesh_velocity_,
                  "how the mesh moves between curves that follow the flow and curves that stay: harmonic, blend, "
                  "lagrangian (with the fluid) or fixed (not at all)")
-      ->type_name("NAME")
+      ->type_name("harmonic|blend|lagrangian|fixed")
       ->capture_default_str();
   app.add_flag("--vorticity", vorticity_, "make the field `vorticity`, dv/dx - du/dy, too");
   app.add_option("--error", errors_,

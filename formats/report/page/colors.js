@@ -28,6 +28,8 @@ class Palette {
     this.accent = named('--accent');
     this.ink = named('--ink');
     this.net = named('--net');
+    this.soft = named('--soft');
+    this.obstacle = named('--obstacle');
     const list = Array.from({length: mapColors}, (_, i) => mapColor((i + 0.5) / mapColors));
     list.push(
         parseHex(settings.missing), parseHex('#8fb9a8'), parseHex(settings.degenerate), parseHex(settings.invalid));

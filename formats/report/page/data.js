@@ -25,6 +25,12 @@ function decodeMesh(number) {
     constrained: new Int32Array(decodeBytes(data.constrained)),
     faceNames: data.face_names,
     curveNames: data.curve_names,
+    fields: data.fields.map((field) => ({
+                              name: field.name,
+                              components: field.components,
+                              values: new Float64Array(decodeBytes(field.values)),
+                              rows: field.rows ? new Int32Array(decodeBytes(field.rows)) : null,
+                            })),
     columns: data.columns.map((column) => ({
                                 name: column.name,
                                 worstIsLeast: column.worst_is_least,

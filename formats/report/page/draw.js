@@ -10,14 +10,16 @@ function sizeOnScreen(mesh, t, camera) {
   return Math.max(boxes[at + 2] - boxes[at], boxes[at + 3] - boxes[at + 1]) * camera.scale;
 }
 
-// look: {codes, palette, edges, highlight (a mask, or null)}
+// look: {codes, palette, edges, highlight (a mask, or null), field (a choice, or undefined), range (of its colours)}
 function drawMesh(context, mesh, camera, look) {
   context.setTransform(1, 0, 0, 1, 0, 0);
   context.clearRect(0, 0, camera.width, camera.height);
   context.lineJoin = 'round';
+  drawObstacles(context, camera, look.palette);
   const visible = mesh.grid.query(seenBox(camera));
   const large = drawSmallElements(context, mesh, camera, look, visible);
   drawLargeElements(context, mesh, camera, look, large);
+  if (look.field && look.range) drawFieldPieces(context, mesh, camera, look, visible);
   if (look.edges) drawInnerEdges(context, mesh, camera, look, visible);
   drawBorders(context, mesh, camera, look, visible);
   if (look.highlight) outlineHighlighted(context, mesh, camera, look, visible);
@@ -55,6 +57,14 @@ function drawLargeElements(context, mesh, camera, look, large) {
     context.fillStyle = look.palette.text[code];
     context.fill();
   });
+}
+
+// A field varies in an element: those that have room for it are drawn in pieces.
+function drawFieldPieces(context, mesh, camera, look, visible) {
+  const elements = visible.filter(
+      (t) => mesh.validity[t] === 0 && look.codes[t] !== missingCode && sizeOnScreen(mesh, t, camera) > pieceSize);
+  const offset = (t) => (look.highlight && !look.highlight[t] ? dimmed : 0);
+  new FieldPainter(mesh, look.field, look.range, look.palette).draw(context, camera, elements, offset);
 }
 
 function drawInnerEdges(context, mesh, camera, look, visible) {

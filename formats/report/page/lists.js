@@ -43,7 +43,7 @@ function swatch(code, palette) {
 
 function showWorst(panel, mesh, metric, codes, palette, actions) {
   const column = mesh.column(metric);
-  panel.hidden = !column || mesh.count === 0 || settings.worst === 0;
+  panel.hidden = !column || column.isField || mesh.count === 0 || settings.worst === 0;
   if (panel.hidden) return;
   const list = worstElements(mesh, column, settings.worst);
   panel.replaceChildren(

@@ -40,7 +40,21 @@ class Mesh {
   }
 
   column(name) {
-    return this.columns.find((column) => column.name === name);
+    return this.columns.find((column) => column.name === name) ?? this.fieldColumn(name);
+  }
+
+  // What the name of a field chooses; undefined for all other names.
+  choice(name) {
+    this.choices ??= fieldChoices(this);
+    return this.choices.find((choice) => choice.name === name);
+  }
+
+  fieldColumn(name) {
+    const choice = this.choice(name);
+    if (!choice) return undefined;
+    this.fieldColumns ??= new Map();
+    if (!this.fieldColumns.has(name)) this.fieldColumns.set(name, fieldColumn(this, choice));
+    return this.fieldColumns.get(name);
   }
 
   // Boxes of the control nets; and a bound of how far the edges are from straight, each taken with even speed.

@@ -23,6 +23,8 @@ const stage = new Stage(() => ({
                           palette,
                           edges: byId('show-edges').checked,
                           highlight: state.highlight,
+                          field: state.mesh?.choice(state.metric),
+                          range: state.range,
                           selected: state.selected,
                           pointed: state.pointed,
                           points: byId('show-points').checked,
@@ -33,7 +35,7 @@ const report = () => frames[state.frame].report;
 const isKind = () => state.metric === 'face' || state.metric === 'validity';
 const listActions = {
   visit: (t) => {
-    select(t);
+    choose(t);
     stage.centreOn(state.mesh, t);
   },
   point: (t) => {
@@ -77,7 +79,7 @@ function showFrame(number) {
 
 // The box of all frames, so that what moves stays in sight.
 function wholeBox() {
-  const boxes = frames.map((frame) => frame.box).filter(Boolean);
+  const boxes = [...frames.map((frame) => frame.box).filter(Boolean), ...obstacleBoxes()];
   if (boxes.length === 0) return [0, 0, 1, 1];
   return [Math.min, Math.min, Math.max, Math.max].map((choose, k) => choose(...boxes.map((box) => box[k])));
 }
@@ -187,13 +189,20 @@ function setMetric(name) {
   state.metric = name;
   state.ownRange = null;
   showMetric();
+  link.soon();
+}
+
+// A choice of the reader's, which the address keeps.
+function choose(t) {
+  select(t);
+  link.step();
 }
 
 function select(t) {
   state.selected = t;
   showElement(
       byId('element-panel'), state.mesh, t, state.metric,
-      {release: () => select(-1), centre: () => stage.centreOn(state.mesh, t), metric: setMetric});
+      {release: () => choose(-1), centre: () => stage.centreOn(state.mesh, t), metric: setMetric});
   for (const button of document.querySelectorAll('[data-element]'))
     button.classList.toggle('current', t >= 0 && Number(button.dataset.element) === state.mesh.triangles[t]);
   markValue(histogramNode, state.bins, t >= 0 && state.bins ? state.mesh.column(state.metric).values[t] : NaN);
@@ -204,7 +213,7 @@ function select(t) {
 function pick(x, y) {
   const found = elementsAt(state.mesh, x, y);
   const at = found.indexOf(state.selected);
-  select(found.length === 0 || (found.length === 1 && at === 0) ? -1 : found[(at + 1) % found.length]);
+  choose(found.length === 0 || (found.length === 1 && at === 0) ? -1 : found[(at + 1) % found.length]);
 }
 
 // Where the pointer is, and what it would pick.
@@ -215,16 +224,69 @@ function pointAt(x, y) {
   }
   const {mesh, metric} = state, [t] = elementsAt(mesh, x, y), value = mesh.column(metric)?.values[t];
   const element = t === undefined ? '' : ` \u00b7 element ${mesh.triangles[t]}`;
-  const figure = value === undefined ? '' : `: ${metricTitle(metric)} ${short(value, 5)}${metricUnit(metric)}`;
+  const field = mesh.choice(metric), here = field && t !== undefined ? valueAt(mesh, t, field, x, y) : value;
+  const figure = value === undefined ? '' : `: ${metricTitle(metric)} ${short(here, 5)}${metricUnit(metric)}`;
   byId('pointer').textContent = `${short(x, 6)}, ${short(y, 6)}${element}${figure}`;
 }
 
+const goTo = (frame) => {
+  showFrame(frame);
+  link.soon();
+};
 const historyCharts = frames.length > 1 ? new History((frame) => {
   player.stop();
-  showFrame(frame);
+  goTo(frame);
 }) :
                                           null;
-const player = frames.length > 1 ? new Player(showFrame) : null;
+const player = frames.length > 1 ? new Player(goTo) : null;
+
+// A view of all is none of its own, unless an element is chosen, which would be looked at.
+function viewNow() {
+  const {x, y, scale, fitted} = stage.camera;
+  return scale === fitted && state.selected < 0 ? undefined : [x, y, Number((scale / fitted).toPrecision(6))];
+}
+
+function showWanted({frame, element, color, view}) {
+  showFrame(frame < frames.length ? frame : 0);
+  const metric =
+      color !== undefined && [...byId('metric').options].some((option) => option.value === color) ? color : 'shape';
+  if (metric !== state.metric) setMetric(metric);
+  const t = state.mesh.indexOfTriangle.get(element) ?? -1;
+  select(t);
+  stage.stopGliding();
+  stage.camera.fit(stage.box);
+  if (view !== undefined)
+    Object.assign(
+        stage.camera, {x: view[0], y: view[1], scale: stage.camera.fitted * Math.max(0.05, Math.min(1e11, view[2]))});
+  else if (t >= 0)
+    stage.lookAt(state.mesh, t);
+  stage.drawNow();
+}
+
+const link = new Link(
+    () => ({
+      frame: state.frame,
+      element: state.selected >= 0 ? state.mesh.triangles[state.selected] : undefined,
+      color: state.metric === 'shape' ? undefined : state.metric,
+      view: viewNow()
+    }),
+    showWanted);
+
+// Colours of the system's light or dark, or of paper.
+function repaint() {
+  palette = new Palette();
+  showMetric();
+  if (state.selected >= 0) select(state.selected);
+  stage.drawNow();
+}
+
+function setPrinting(isPrinting) {
+  if (document.documentElement.classList.contains('printing') === isPrinting) return;
+  document.documentElement.classList.toggle('printing', isPrinting);
+  stage.leastRatio = isPrinting ? 2 : 0;
+  stage.resize();
+  repaint();
+}
 
 function start() {
   byId('title').textContent = settings.title;
@@ -232,15 +294,19 @@ function start() {
   listenToGestures(stage, {
     pick,
     pointAt,
-    release: () => select(-1),
+    release: () => choose(-1),
     focus: (isVisible) => {
       state.crosshair = isVisible;
       stage.marksChanged();
     }
   });
   const names = meshOf(0).columns.map((column) => column.name);
+  const option = (name) => make('option', {value: name}, metricTitle(name));
+  const fields = fieldChoices(meshOf(0)).map((choice) => choice.name);
   byId('metric').append(
-      ...[...names, 'face', 'validity'].map((name) => make('option', {value: name}, metricTitle(name))));
+      make('optgroup', {label: 'Measures'}, ...names.map(option)),
+      ...(fields.length > 0 ? [make('optgroup', {label: 'Fields'}, ...fields.map(option))] : []),
+      make('optgroup', {label: 'Kinds'}, ...['face', 'validity'].map(option)));
   byId('metric').onchange = (event) => setMetric(event.target.value);
   byId('show-edges').onchange = () => stage.changed();
   byId('show-points').onchange = () => stage.marksChanged();
@@ -251,11 +317,14 @@ function start() {
       showMetric();
     };
   byId('range-reset').onclick = () => setMetric(state.metric);
-  matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => {
-    palette = new Palette();
-    showMetric();
-  });
-  showFrame(0);
+  matchMedia('(prefers-color-scheme: dark)').addEventListener('change', repaint);
+  matchMedia('print').addEventListener('change', (event) => setPrinting(event.matches));
+  addEventListener('beforeprint', () => setPrinting(true));
+  addEventListener('afterprint', () => setPrinting(matchMedia('print').matches));
+  stage.onMove = () => link.soon();
+  link.follow();
+  // Now, not in the next frame of the screen, so that the page is never seen without its drawing.
+  stage.drawNow();
 }
 
 // For tests, and for those who look at a page from its console.
@@ -266,6 +335,7 @@ window.pliant = {
     const box = stage.marksCanvas.getBoundingClientRect(), [sx, sy] = stage.camera.toScreen(x, y);
     return [box.left + sx, box.top + sy];
   },
+  valueAt: (x, y) => valueAt(state.mesh, elementsAt(state.mesh, x, y)[0], state.mesh.choice(state.metric), x, y),
   highlighted: () => (state.highlight ? state.highlight.reduce((sum, each) => sum + each, 0) : 0),
   redraw() {
     stage.isStale = true;

@@ -30,8 +30,11 @@ class Raster {
 
   // Pixels whose centres are inside get the colour; so neighbours share no pixel and leave none out.
   fill(mesh, t, camera, color) {
+    this.fillPolygon(this.loadPolygon(mesh, t, camera), color);
+  }
+
+  fillPolygon(size, color) {
     const {polygon, cuts, pixels} = this, {width, height} = this.canvas;
-    const size = this.loadPolygon(mesh, t, camera);
     let low = Infinity, high = -Infinity;
     for (let k = 1; k < 2 * size; k += 2) {
       if (polygon[k] < low) low = polygon[k];
@@ -55,6 +58,15 @@ class Raster {
       }
     }
     this.isEmpty = false;
+  }
+
+  // The triangle on the first three rows of a net of `width` numbers a row, x and y first.
+  fillTriangle(net, width, camera, color) {
+    for (let k = 0; k < 3; k++) {
+      this.polygon[2 * k] = camera.left + (net[k * width] - camera.x) * camera.scale;
+      this.polygon[2 * k + 1] = camera.top - (net[k * width + 1] - camera.y) * camera.scale;
+    }
+    this.fillPolygon(3, color);
   }
 
   // The corners; where an edge is visibly curved also points between, the same ones for both its elements. Returns how

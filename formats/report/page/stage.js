@@ -15,17 +15,21 @@ class Stage {
 
   resize() {
     const {width, height} = byId('paper').getBoundingClientRect();
+    const ratio = Math.min(Math.max(window.devicePixelRatio || 1, this.leastRatio ?? 0), 3);
+    if (this.ratio === ratio && this.camera.width === Math.max(1, width) && this.camera.height === Math.max(1, height))
+      return;
     const first = this.camera.fitted === undefined;
     const scale = Math.min(width / this.camera.width, height / this.camera.height);
     const wasFitted = this.camera.scale === this.camera.fitted;
     this.camera.resize(width, height);
-    this.ratio = Math.min(window.devicePixelRatio || 1, 3);
+    this.ratio = ratio;
     for (const canvas of [this.meshCanvas, this.marksCanvas]) {
       canvas.width = Math.round(this.camera.width * this.ratio);
       canvas.height = Math.round(this.camera.height * this.ratio);
     }
     if (!first && wasFitted && scale > 0) this.camera.fit(this.box);
-    this.changed();
+    // At once: the canvases are empty now, and must not be seen so.
+    this.drawNow();
   }
 
   fit(box) {
@@ -46,6 +50,7 @@ class Stage {
   // The camera moved: where drawing takes long, a copy of the last drawing is moved first.
   moved() {
     this.changed();
+    this.onMove?.();
     if (this.milliseconds > 18) {
       this.isHasty = true;
       clearTimeout(this.timer);
@@ -54,6 +59,12 @@ class Stage {
         this.later();
       }, 110);
     }
+  }
+
+  drawNow() {
+    this.isStale = true;
+    this.isHasty = false;
+    this.draw();
   }
 
   later() {
@@ -100,15 +111,22 @@ class Stage {
     context.drawImage(copy, left, top, copy.width * factor, copy.height * factor);
   }
 
-  // Moves the camera so that the element stands in the middle, large enough to be seen in its surroundings.
-  centreOn(mesh, t) {
+  // Where the element stands in the middle, large enough to be seen in its surroundings.
+  viewOf(mesh, t) {
     const box = mesh.boxes.subarray(4 * t, 4 * t + 4);
     const target = new Camera();
     target.resize(this.camera.width, this.camera.height);
     target.fit([...box], 0.36);
     const limit = this.camera.fitted;
     const scale = Math.max(Math.min(target.scale, limit * 1e11), limit);
-    this.glide(target.x, target.y, scale);
+    return {x: target.x, y: target.y, scale};
+  }
+  lookAt(mesh, t) {
+    Object.assign(this.camera, this.viewOf(mesh, t));
+  }
+  centreOn(mesh, t) {
+    const {x, y, scale} = this.viewOf(mesh, t);
+    this.glide(x, y, scale);
   }
 
   glide(x, y, scale) {

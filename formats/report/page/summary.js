@@ -50,6 +50,10 @@ function showSummary(panel, frame) {
   const open =
       [...panel.querySelectorAll('details')].filter((node) => !node.open).map((node) => node.firstChild.textContent);
   const children = [section('Summary', true, plainTable(['', ''], figures))];
+  if (frame.history)
+    children.push(section(
+        'Made by', true,
+        plainTable(['tool', 'options'], frame.history.map((step) => [`${step.tool} ${step.version}`, step.options]))));
   children.push(section('Metrics', true, plainTable(['metric', 'min', 'mean', 'max'], metrics)));
   children.push(section(
       'Faces', true,

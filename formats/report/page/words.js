@@ -9,7 +9,13 @@ const otherWords = {
     unit: ''
   },
 };
-const wordsOf = (name) => settings.metrics[name] ?? otherWords[name] ?? {label: name, text: '', unit: ''};
+const fieldWords = (name) => ({
+  label: `field ${name.slice('field:'.length)}`,
+  text: 'A field that the mesh carries. Bars count elements by the value in their middle.',
+  unit: ''
+});
+const wordsOf = (name) => settings.metrics[name] ?? otherWords[name] ??
+    (name.startsWith('field:') ? fieldWords(name) : {label: name, text: '', unit: ''});
 const metricTitle = (name) => wordsOf(name).label;
 const metricText = (name) => wordsOf(name).text;
 const metricUnit = (name) => wordsOf(name).unit;

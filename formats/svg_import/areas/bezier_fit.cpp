@@ -2,6 +2,7 @@
 #include "formats/svg_import/areas/bezier_fit.h"
 
 #include <algorithm>
+#include <numbers>
 #include <optional>
 
 namespace pliant::svg {
@@ -13,6 +14,10 @@ constexpr double rounding = 1e-14;     // a part of a piece's size: how far sums
 constexpr double vanishing = 1e-9;     // a derivative below this part of a cubic's size counts as zero
 constexpr double least_inside = 1e-6;  // an inflection whose parameter is closer than this to an end is not split at
 constexpr int max_halvings = 60;
+// Pieces that are fitted turn by at most 60 degrees. bspline2mesh cuts those that turn by more where an element beside
+// them would not be valid, so that a looser tolerance would end in more triangles.
+constexpr double most_turn = std::numbers::pi / 3;
+constexpr double least_cosine = 0.5;
 
 double size_of(const Point* p, int count) {
   double size = 0;
@@ -75,6 +80,7 @@ std::optional<TangentFit> fit_tangents(const Cubic& c) {
   if (stands_first) first = c[2] - c[0];
   if (stands_last) last = c[3] - c[1];
   const double turn = cross(first, last);
+  if (dot(first, last) < least_cosine * length(first) * length(last)) return std::nullopt;
   const double lambda = cross(chord, last) / turn, mu = cross(first, chord) / turn;
   if (!(lambda > 0 && mu > 0 && std::isfinite(lambda) && std::isfinite(mu))) return std::nullopt;
   const Vector q = lambda * first;
@@ -107,9 +113,34 @@ std::array<Cubic, 2> split(const Cubic& c, double t) {
   return {Cubic{c[0], ab, abc, middle}, Cubic{middle, bcd, cd, c[3]}};
 }
 
+/// Adds a cubic whose control points are on a line: its chord, or where it is to be followed back, the lines between
+/// the places where it turns round.
+void BezierFit::add_straight(const Cubic& c, std::vector<Piece>& out) const {
+  if (!follows_back_) return add_line(c[0], c[3], false, out);
+  Vector along;
+  for (const Point& p : c)
+    if (squared_length(p - c[0]) > squared_length(along)) along = p - c[0];
+  const double a = dot(along, c[1] - c[0]), b = dot(along, c[2] - c[1]), d = dot(along, c[3] - c[2]);
+  std::vector<double> turns;
+  if (const double discriminant = b * b - a * d; discriminant > 0) {  // of a (1-t)^2 + 2 b t (1-t) + d t^2
+    const double q = -(b + std::copysign(std::sqrt(discriminant), b));
+    turns = {q / (q + d), a / (a + q)};
+    std::sort(turns.begin(), turns.end());
+  }
+  Point at = c[0];
+  for (const double t : turns) {
+    if (!(least_inside < t && t < 1 - least_inside)) continue;
+    const Point turn = split(c, t)[0][3];
+    add_line(at, turn, false, out);
+    at = turn;
+  }
+  add_line(at, c[3], false, out);
+}
+
 void BezierFit::add_quadratic(const Point& p, const Point& q, const Point& r, std::vector<Piece>& out) {
   const std::array<Point, 3> points{p, q, r};
-  if (is_straight(points.data(), 3, rounding)) return add_line(p, r, false, out);
+  if (is_straight(points.data(), 3, rounding))
+    return add_straight({p, p + (2.0 / 3) * (q - p), r + (2.0 / 3) * (q - r), r}, out);
   Piece piece;
   piece.degree = 2;
   std::copy(points.begin(), points.end(), piece.points.begin());
@@ -117,7 +148,7 @@ void BezierFit::add_quadratic(const Point& p, const Point& q, const Point& r, st
 }
 
 void BezierFit::add_cubic(const Cubic& c, std::vector<Piece>& out) {
-  if (is_straight(c.data(), 4, rounding)) return add_line(c[0], c[3], false, out);
+  if (is_straight(c.data(), 4, rounding)) return add_straight(c, out);
   const double size = size_of(c.data(), 4);
   std::vector<double> cuts;
   add_inflections(c, cuts);
@@ -192,7 +223,7 @@ void BezierFit::add_arc(const Point& start, const Point& center, const Vector& u
   const double angle = std::abs(sweep);
   const double order = degree_ >= 3 ? 6 : 4, factor = degree_ >= 3 ? 2.0 / 27 / 64 : 1.0 / 8;
   const double h_fit = std::pow(tolerance_ / (greatest * factor), 1 / order);
-  constexpr double most_h = 0.79;  // half of a piece's angle: pieces of a little more than a quarter turn
+  constexpr double most_h = most_turn / 2;
   constexpr double most_pieces = 1e6;
   double count = std::clamp(std::ceil(angle / 2 / std::min(h_fit, most_h) * (1 - 1e-9)), 1.0, most_pieces);
   while (error_of(angle / 2 / count) > tolerance_ && count < most_pieces) count += std::ceil(count / 64);

@@ -23,8 +23,10 @@ struct Piece {
 /// Turns the steps of an outline into pieces. Each piece starts bit for bit where the one before it ends.
 class BezierFit {
  public:
+  /// `follows_back` keeps the parts of straight curves that run back on themselves, as a stroke follows them.
   /// Requires    degree 2 or 3, tolerance > 0 (length)
-  BezierFit(int degree, double tolerance) : degree_(degree), tolerance_(tolerance) {}
+  BezierFit(int degree, double tolerance, bool follows_back = false)
+      : degree_(degree), tolerance_(tolerance), follows_back_(follows_back) {}
 
   /// Adds a quadratic curve. One whose control points are on a line becomes that line: a part that runs back on itself
   /// has no interior.
@@ -41,10 +43,12 @@ class BezierFit {
   double error() const { return error_; }
 
  private:
+  void add_straight(const std::array<Point, 4>& c, std::vector<Piece>& out) const;
   void fit(const std::array<Point, 4>& c, int depth, std::vector<Piece>& out);
 
   int degree_;
   double tolerance_;
+  bool follows_back_;
   double error_ = 0;
 };
 

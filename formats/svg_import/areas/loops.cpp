@@ -5,7 +5,7 @@
 #include <cmath>
 #include <optional>
 
-#include "pliant/boundary/fault.h"
+#include "formats/svg_import/areas/subpaths.h"
 
 namespace pliant::svg {
 namespace {
@@ -42,14 +42,18 @@ enum class Join { corner, smooth, cusp };
 /// Makes the B-splines of one loop of pieces, all of one degree p.
 class LoopBuilder {
  public:
-  LoopBuilder(std::vector<Piece> pieces, const LoopOptions& options, LoopCounts& counts)
-      : pieces_(std::move(pieces)), options_(options), counts_(counts), p_(pieces_.front().degree) {}
+  LoopBuilder(std::vector<Piece> pieces, bool is_open, const LoopOptions& options, LoopCounts& counts)
+      : pieces_(std::move(pieces)), is_open_(is_open), options_(options), counts_(counts), p_(pieces_.front().degree) {}
 
   Loop build() {
     counts_.pieces += static_cast<long>(pieces_.size());
     for (const Piece& piece : pieces_) counts_.fitted += piece.fitted ? 1 : 0;
-    if (p_ == 1) return polygon();
+    if (p_ == 1 && !is_open_) return polygon();
     classify();
+    if (is_open_) {
+      choose_knots();
+      return open_curves();
+    }
     // The loop starts in a cusp, or else in a corner.
     const auto starts_with = [&](Join kind) { return std::find(joins_.begin(), joins_.end(), kind); };
     auto start = starts_with(Join::cusp);
@@ -96,14 +100,14 @@ class LoopBuilder {
 
   void classify() {
     joins_.assign(count(), Join::corner);
-    for (std::size_t i = 0; i < count(); ++i) {
+    for (std::size_t i = is_open_ ? 1 : 0; i < count(); ++i) {
       const Vector in = pieces_[i].start() - before(previous(i)), out = behind(i) - pieces_[i].start();
       const double a = length(in), b = length(out);
       if (!(a > 0 && b > 0)) continue;
       const double sine = std::abs(cross(in, out)) / a / b;
       if (dot(in, out) < 0)
         joins_[i] = sine < cusp_angle ? Join::cusp : Join::corner;
-      else if (sine < smooth_angle && displacement(i, a, b) <= allowed(i))
+      else if (p_ > 1 && sine < smooth_angle && displacement(i, a, b) <= allowed(i))
         joins_[i] = Join::smooth;
     }
   }
@@ -188,6 +192,7 @@ class LoopBuilder {
   }
 
   std::vector<Piece> pieces_;
+  bool is_open_;  ///< does the last piece not lead to the first?
   const LoopOptions& options_;
   LoopCounts& counts_;
   int p_;
@@ -203,13 +208,14 @@ double extent_of(const Piece& piece) {
 }
 
 /// Drops pieces without length and lets every piece start where the one before it ends. False if nothing is left.
-bool close_up(std::vector<Piece>& pieces, double least) {
+bool close_up(std::vector<Piece>& pieces, double least, bool is_open = false) {
   std::vector<Piece> kept;
   for (const Piece& piece : pieces) {
     if (extent_of(piece) <= least) continue;
     kept.push_back(piece);
   }
-  for (std::size_t i = 0; i < kept.size(); ++i) kept[(i + 1) % kept.size()].points[0] = kept[i].end();
+  for (std::size_t i = 0; i + (is_open ? 1 : 0) < kept.size(); ++i)
+    kept[(i + 1) % kept.size()].points[0] = kept[i].end();
   pieces = std::move(kept);
   return !pieces.empty();
 }
@@ -240,74 +246,53 @@ void halve(std::vector<Piece>& pieces) {
   pieces = {first, second};
 }
 
+void elevate_all(std::vector<Piece>& pieces) {
+  int degree = 1;
+  for (const Piece& piece : pieces) degree = std::max(degree, piece.degree);
+  for (Piece& piece : pieces) piece = elevated(piece, degree);
+}
+
+void close_by_line(std::vector<Piece>& pieces, const Point& end, const Point& start) {
+  if (end == start) return;
+  Piece line;
+  line.points[0] = end;
+  line.points[1] = start;
+  pieces.push_back(line);
+}
+
 }  // namespace
 
 std::vector<Loop> make_loops(const Outline& outline, const LoopOptions& options, LoopCounts& counts) {
-  BezierFit fit(options.degree, options.tolerance / 2);
   std::vector<Loop> loops;
-  std::vector<Piece> pieces;
-  Point start, at;
   const double least = same_place * options.size;
-  const auto finish = [&] {
-    std::vector<Piece> done;
-    std::swap(done, pieces);
-    if (done.empty()) return;
-    if (!(at == start)) {
-      Piece line;
-      line.points[0] = at;
-      line.points[1] = start;
-      done.push_back(line);
-    }
-    if (!close_up(done, least) || !has_area(done, least)) {
+  const auto finish = [&](std::vector<Piece> pieces, const Point& start, const Point& end, bool) {
+    close_by_line(pieces, end, start);
+    if (!close_up(pieces, least) || !has_area(pieces, least)) {
       ++counts.no_area;
       return;
     }
-    if (done.size() == 1 && options.degree >= 3) halve(done);
-    int degree = 1;
-    for (const Piece& piece : done) degree = std::max(degree, piece.degree);
-    for (Piece& piece : done) piece = elevated(piece, degree);
-    loops.push_back(LoopBuilder(std::move(done), options, counts).build());
+    if (pieces.size() == 1 && options.degree >= 3) halve(pieces);
+    elevate_all(pieces);
+    loops.push_back(LoopBuilder(std::move(pieces), false, options, counts).build());
   };
-  std::size_t next = 0;
-  for (const Step step : outline.steps) {
-    const Point* p = outline.points.data() + next;
-    next += static_cast<std::size_t>(point_count(step));
-    switch (step) {
-      case Step::move:
-        finish();
-        start = at = p[0];
-        break;
-      case Step::close:
-        finish();
-        at = start;
-        break;
-      case Step::line: {
-        Piece line;
-        line.points[0] = at;
-        line.points[1] = at = p[0];
-        pieces.push_back(line);
-        break;
-      }
-      case Step::quadratic:
-        fit.add_quadratic(at, p[0], p[1], pieces);
-        at = p[1];
-        break;
-      case Step::cubic:
-        fit.add_cubic({at, p[0], p[1], p[2]}, pieces);
-        at = p[2];
-        break;
-      case Step::arc:
-        fit.add_arc(at, p[0], p[1], p[2], p[3].x, p[3].y, p[4], pieces);
-        at = p[4];
-        break;
-    }
-    if (pieces.size() + static_cast<std::size_t>(counts.pieces) > max_pieces)
-      throw InputError("", "the curves need more than " + std::to_string(max_pieces) +
-                               " pieces; a greater --tolerance, or --degree 3, takes fewer");
-  }
-  finish();
-  counts.fit_error = std::max(counts.fit_error, fit.error());
+  Subpaths(options, counts, finish).read(outline);
   return loops;
+}
+
+std::vector<BSpline> make_lines(const Outline& outline, const LoopOptions& options, LoopCounts& counts) {
+  std::vector<BSpline> lines;
+  const double least = same_place * options.size;
+  const auto finish = [&](std::vector<Piece> pieces, const Point& start, const Point& end, bool is_closed) {
+    if (is_closed) close_by_line(pieces, end, start);
+    if (!close_up(pieces, least, !is_closed)) return;
+    const bool is_open = !is_closed || !has_area(pieces, least);
+    if (!is_open && pieces.size() == 1 && options.degree >= 3) halve(pieces);
+    elevate_all(pieces);
+    Loop loop = LoopBuilder(std::move(pieces), is_open, options, counts).build();
+    for (BSpline& curve : loop.curves) lines.push_back(std::move(curve));
+  };
+  Subpaths(options, counts, finish, true).read(outline);
+  return lines;
 }
 
 }  // namespace pliant::svg

@@ -25,6 +25,8 @@ struct Loop {
 struct LoopCounts {
   long pieces = 0;        ///< Bézier pieces
   long fitted = 0;        ///< pieces that are not exact
+  long curves = 0;        ///< cubic curves and arcs of the drawing that those stand for
+  long arcs = 0;          ///< how many of them are arcs
   long smooth = 0;        ///< joins that became simple knots (degree 3: double ones)
   long corners = 0;       ///< joins that became corners
   long no_area = 0;       ///< loops without an interior, left out
@@ -34,5 +36,9 @@ struct LoopCounts {
 
 /// The loops of an outline as a fill takes them: open subpaths are closed by a line.
 std::vector<Loop> make_loops(const Outline& outline, const LoopOptions& options, LoopCounts& counts);
+
+/// The curves of an outline as a stroke follows them: those of an open subpath are open, those of a closed one closed
+/// unless it has corners in cusps or runs along itself.
+std::vector<BSpline> make_lines(const Outline& outline, const LoopOptions& options, LoopCounts& counts);
 
 }  // namespace pliant::svg

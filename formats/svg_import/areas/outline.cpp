@@ -1,6 +1,7 @@
 // formats/svg_import/areas/outline.cpp: the outline of a filled shape, as its commands, arcs by their centres.
 #include "formats/svg_import/areas/outline.h"
 
+#include <array>
 #include <numbers>
 
 namespace pliant::svg {
@@ -39,6 +40,51 @@ Box box_of(const Outline& outline, const Affine& map) {
     } else {
       for (std::size_t i = 0; i < count; ++i) box.extend(map(p[i]));
     }
+  }
+  return box;
+}
+
+Box tight_box_of(const Outline& outline, const Affine& map) {
+  Outline mapped = outline;
+  mapped.transform(map);
+  Box box;
+  Point at;
+  std::size_t next = 0;
+  for (const Step step : mapped.steps) {
+    const Point* p = mapped.points.data() + next;
+    const auto count = static_cast<std::size_t>(point_count(step));
+    next += count;
+    if (count == 0) continue;
+    const Point end = p[count - 1];
+    box.extend(end);
+    if (step == Step::arc) {
+      // Along x the arc is u.x cos t + v.x sin t, greatest and least at the angle of (u.x, v.x) and opposite to it.
+      for (const double top : {std::atan2(p[2].x, p[1].x), std::atan2(p[2].y, p[1].y)})
+        for (int half = 0; half < 2; ++half) {
+          const double turn = std::remainder(top + half * std::numbers::pi - p[3].x, 2 * std::numbers::pi);
+          for (const double t : {turn - 2 * std::numbers::pi, turn, turn + 2 * std::numbers::pi})
+            if (t * p[3].y > 0 && std::abs(t) < std::abs(p[3].y))
+              box.extend(p[0] + p[1] * std::cos(p[3].x + t) + p[2] * std::sin(p[3].x + t));
+        }
+    } else if (step == Step::quadratic || step == Step::cubic) {
+      const bool is_cubic = step == Step::cubic;
+      const std::array<Point, 4> c{at, is_cubic ? p[0] : at + (2.0 / 3) * (p[0] - at),
+                                   is_cubic ? p[1] : p[1] + (2.0 / 3) * (p[0] - p[1]), end};
+      const auto extend_at = [&](double t) {
+        if (!(t > 0 && t < 1)) return;
+        const double s = 1 - t;
+        box.extend(s * s * s * c[0] + 3 * s * s * t * c[1] + 3 * s * t * t * c[2] + t * t * t * c[3]);
+      };
+      for (const auto along : {&Point::x, &Point::y}) {
+        const double d0 = c[1].*along - c[0].*along, d1 = c[2].*along - c[1].*along, d2 = c[3].*along - c[2].*along;
+        const double discriminant = d1 * d1 - d0 * d2;  // of d0 (1-t)^2 + 2 d1 t (1-t) + d2 t^2
+        if (discriminant < 0) continue;
+        const double q = -(d1 + std::copysign(std::sqrt(discriminant), d1));
+        extend_at(q / (q + d2));
+        extend_at(d0 / (d0 + q));
+      }
+    }
+    at = end;
   }
   return box;
 }

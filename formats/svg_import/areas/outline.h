@@ -60,6 +60,9 @@ struct Outline {
 /// The box of a mapped outline's control points, and of points on its arcs.
 Box box_of(const Outline& outline, const Affine& map = {});
 
+/// The least box of a mapped outline.
+Box tight_box_of(const Outline& outline, const Affine& map = {});
+
 /// SVG's arc from one point to another (appendix B.2 of SVG 2): radii of 0 make a line, radii too small grow.
 /// `turned` is the angle of the first axis, in degrees.
 void add_arc(Outline& out, const Point& from, double rx, double ry, double turned, bool large, bool sweep,

@@ -22,26 +22,63 @@ constexpr double widening = 16;  // the tolerance of an attempt over that of the
 struct Painting {
   std::vector<Point> vertices;
   std::vector<Face> faces;
-  std::vector<FillRule> rules;
-  std::deque<BSpline> splines;  ///< the splines that `curves` point to
+  std::vector<FillRule> rules;  ///< of the regions that winding numbers count: first the faces, then parts of clips
+  const PaintedLayers* layers = nullptr;  ///< null where nothing is clipped, and no line drawn
+  std::vector<int> first_parts;           ///< the region of the first part of each clip area; one more at the end
+  std::deque<BSpline> splines;            ///< the splines that `curves` point to
   std::vector<SidedCurve> curves;
   std::vector<Curve> sources;  ///< for each of `curves`, its name and other members, without a spline
   double tip = 0;              ///< the length within which a sharp turn becomes a corner
 
   /// `source` is the name and the other members of the curve that `spline` belongs to.
-  void add_curve(const BSpline& spline, const Winding& jump, const Curve& source) {
+  void add_curve(const BSpline& spline, const Winding& jump, const Curve& source, int line = -1) {
     for (BSpline& part : split_at_stops(spline, tip)) {
       splines.push_back(std::move(part));
-      curves.push_back({&splines.back(), jump});
+      curves.push_back({&splines.back(), jump, line});
       sources.push_back(source);
     }
   }
 
   /// The face, or `outside`, to which points with these winding numbers belong.
   int owner(const Winding& winding) const {
-    for (auto at = winding.rbegin(); at != winding.rend(); ++at)
-      if (rules[index(at->first)] == FillRule::nonzero || at->second % 2 != 0) return at->first;
+    for (auto at = winding.rbegin(); at != winding.rend(); ++at) {
+      if (at->first >= static_cast<int>(faces.size()) || !fills(*at)) continue;
+      if (layers == nullptr || is_inside(layers->faces[index(at->first)].clips, winding)) return at->first;
+    }
     return outside;
+  }
+
+  bool shows(int line, const Winding& winding, int owner) const {
+    const DrawnLine& drawn = layers->lines[index(line)];
+    return owner < drawn.above && is_inside(drawn.clips, winding);
+  }
+
+ private:
+  bool fills(const std::pair<int, int>& region) const {
+    return rules[index(region.first)] == FillRule::nonzero || region.second % 2 != 0;
+  }
+  bool is_inside(const std::vector<int>& clips, const Winding& winding) const {
+    std::map<int, bool> known;
+    return is_inside(clips, winding, known);
+  }
+  /// Do points with these winding numbers lie in all of the clip areas? What is known of one is not asked again, since
+  /// areas may be clipped by the same other one many times.
+  bool is_inside(const std::vector<int>& clips, const Winding& winding, std::map<int, bool>& known) const {
+    return std::all_of(clips.begin(), clips.end(), [&](int clip) {
+      const auto found = known.find(clip);
+      if (found != known.end()) return found->second;
+      return known[clip] = is_inside(clip, winding, known);
+    });
+  }
+  bool is_inside(int clip, const Winding& winding, std::map<int, bool>& known) const {
+    const ClipArea& area = layers->clips[index(clip)];
+    const int first = first_parts[index(clip)], last = first_parts[index(clip) + 1];
+    auto at = std::lower_bound(winding.begin(), winding.end(), std::pair(first, 0),
+                               [](const auto& a, const auto& b) { return a.first < b.first; });
+    for (; at != winding.end() && at->first < last; ++at)
+      if (fills(*at) && is_inside(area.parts[index(at->first - first)].clips, winding, known))
+        return is_inside(area.clips, winding, known);
+    return false;
   }
 };
 
@@ -93,12 +130,15 @@ Arrangement attempt(const Painting& painting, const ArrangeOptions& options) {
   Arrangement result;
   ArcTolerances tolerances{};
   const ArcNetwork network = cut_curves(painting.curves, painting.vertices, options, tolerances);
-  const ArrangementGraph graph = build_graph(network, painting.curves, tolerances,
-                                             [&](const Winding& winding) { return painting.owner(winding); });
+  const ArrangementGraph graph =
+      build_graph(network, painting.curves, tolerances,
+                  {[&](const Winding& winding) { return painting.owner(winding); },
+                   [&](int line, const Winding& winding, int owner) { return painting.shows(line, winding, owner); }});
   result.intersections = graph.crowded_nodes;
   result.pieces = static_cast<long>(graph.edges.size());
   result.regions = graph.regions;
   result.slivers = graph.slivers;
+  result.bare_lines = graph.bare_lines;
   result.sliver_area = std::ldexp(graph.sliver_area, 2 * network.exponent);
   for (const int n : graph.broken) {
     const Point& p = network.nodes[index(n)];
@@ -146,42 +186,60 @@ Arrangement solve(const Painting& painting, ArrangeOptions options) {
 }
 
 /// The places where more, or fewer, open curves of a face start than end.
-std::vector<Fault> open_loops(std::span<const FilledFace> faces) {
+std::vector<Fault> open_loops(const FilledFace& face, int number) {
   std::vector<Fault> faults;
-  for (std::size_t f = 0; f < faces.size(); ++f) {
-    std::map<std::pair<double, double>, int> balance;
-    for (const BSpline& spline : faces[f].curves) {
-      if (spline.closed()) continue;
-      ++balance[{spline.points().front().x, spline.points().front().y}];
-      --balance[{spline.points().back().x, spline.points().back().y}];
-    }
-    for (const auto& [place, count] : balance)
-      if (count != 0)
-        faults.push_back({"boundary", "/faces/" + std::to_string(f),
-                          "the curves of face '" + faces[f].name + "' do not close at " +
-                              describe_point({place.first, place.second})});
+  std::map<std::pair<double, double>, int> balance;
+  for (const BSpline& spline : face.curves) {
+    if (spline.closed()) continue;
+    ++balance[{spline.points().front().x, spline.points().front().y}];
+    --balance[{spline.points().back().x, spline.points().back().y}];
   }
+  for (const auto& [place, count] : balance)
+    if (count != 0)
+      faults.push_back(
+          {"boundary", "/faces/" + std::to_string(number),
+           "the curves of face '" + face.name + "' do not close at " + describe_point({place.first, place.second})});
   return faults;
 }
 
 }  // namespace
 
 Arrangement arrange(std::span<const FilledFace> faces, const ArrangeOptions& options) {
+  return arrange_layers(PaintedLayers{{faces.begin(), faces.end()}}, options);
+}
+
+Arrangement arrange_layers(const PaintedLayers& layers, const ArrangeOptions& options) {
   Painting painting;
-  Box box;
-  for (const FilledFace& face : faces)
-    for (const BSpline& spline : face.curves) extend(box, spline);
-  painting.tip = options.tip * box.size();
-  for (const FilledFace& face : faces) {
-    const int f = static_cast<int>(painting.faces.size());
+  painting.layers = &layers;
+  std::vector<const FilledFace*> regions;
+  for (const FilledFace& face : layers.faces) {
+    regions.push_back(&face);
     painting.faces.push_back({face.name, face.extra});
-    painting.rules.push_back(face.rule);
-    Curve source;
-    source.name = face.name;
-    for (const BSpline& spline : face.curves) painting.add_curve(spline, {{f, 1}}, source);
   }
+  for (const ClipArea& clip : layers.clips) {
+    painting.first_parts.push_back(static_cast<int>(regions.size()));
+    for (const FilledFace& part : clip.parts) regions.push_back(&part);
+  }
+  painting.first_parts.push_back(static_cast<int>(regions.size()));
+  Box box;
+  for (const FilledFace* region : regions)
+    for (const BSpline& spline : region->curves) extend(box, spline);
+  for (const DrawnLine& line : layers.lines) extend(box, line.curve);
+  painting.tip = options.tip * box.size();
   Arrangement result;
-  result.faults = open_loops(faces);
+  for (const FilledFace* region : regions) {
+    const int r = static_cast<int>(painting.rules.size());
+    painting.rules.push_back(region->rule);
+    Curve source;
+    source.name = region->name;
+    for (const BSpline& spline : region->curves) painting.add_curve(spline, {{r, 1}}, source);
+    for (Fault& fault : open_loops(*region, r)) result.faults.push_back(std::move(fault));
+  }
+  for (std::size_t l = 0; l < layers.lines.size(); ++l) {
+    Curve source;
+    source.name = layers.lines[l].name;
+    painting.add_curve(layers.lines[l].curve, {}, source, static_cast<int>(l));
+  }
   return result.faults.empty() ? solve(painting, options) : result;
 }
 

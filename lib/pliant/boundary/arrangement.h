@@ -18,7 +18,29 @@ struct FilledFace {
   /// Closed curves, and open ones that chain to loops: each ends, bit for bit, where one of them starts.
   std::vector<BSpline> curves;
   FillRule rule = FillRule::nonzero;
-  ExtraMembers extra;
+  ExtraMembers extra{};
+  std::vector<int> clips{};  ///< only what lies in all of these clip areas is painted
+};
+
+/// An area that cuts off what is painted outside of it: the union of its parts, as far as it lies in all of `clips`.
+struct ClipArea {
+  std::vector<FilledFace> parts;
+  std::vector<int> clips{};  ///< areas that come before this one, as those of the parts do
+};
+
+/// A curve that is drawn over faces and cuts them, but has none of its own.
+struct DrawnLine {
+  std::string name;
+  BSpline curve;             ///< open or closed; it may cross itself and run over others
+  int above = 0;             ///< how many of the faces are painted before it; those painted later hide it
+  std::vector<int> clips{};  ///< as of FilledFace
+};
+
+/// All that is painted.
+struct PaintedLayers {
+  std::vector<FilledFace> faces;
+  std::vector<ClipArea> clips{};
+  std::vector<DrawnLine> lines{};
 };
 
 /// Lengths relative to the size of the input, which is the diagonal of the box of its control points.
@@ -38,6 +60,7 @@ struct Arrangement {
   long regions = 0;             ///< bounded regions of the plane between the pieces
   long slivers = 0;             ///< pieces merged with another one that was not within the tolerance
   double sliver_area = 0;       ///< a bound of the area between those
+  long bare_lines = 0;          ///< pieces of drawn lines that were left out because no face is beside them
   double tolerance = 0;         ///< the tolerance that was used: the one in the options, or a coarser one
   std::vector<Fault> faults{};  ///< why the boundary must not be used; empty if all is well
 };
@@ -56,6 +79,12 @@ struct Arrangement {
 ///             boundary that can be meshed: curves with a cusp inside, faces without a name of their own
 /// Complexity  near O((n + k) log n) for n spans and k intersections, where boxes of spans overlap little
 Arrangement arrange(std::span<const FilledFace> faces, const ArrangeOptions& options = {});
+
+/// The same with areas that clip faces, and with lines. A line becomes curves with the same face on both sides, or runs
+/// along the border of one; where it crosses a border, another line or itself, both are cut. What lies outside of all
+/// faces, below later ones or outside of its clip areas is left out. A closed line divides no face: what it encloses
+/// stays a part of the face around it.
+Arrangement arrange_layers(const PaintedLayers& layers, const ArrangeOptions& options = {});
 
 /// The same for a boundary complex whose curves cross. The winding numbers of a face are those of the curves that have
 /// it on their left, and of the curves that have it on their right, run backwards. A point with a winding number other

@@ -17,6 +17,7 @@ void add_winding(Winding& sum, const Winding& by, int times = 1);
 struct SidedCurve {
   const BSpline* spline;
   Winding jump;
+  int line = -1;  ///< which drawn line it belongs to; -1 for borders
 };
 
 /// A part of a curve, monotone in x and in y, that meets others at its ends only.

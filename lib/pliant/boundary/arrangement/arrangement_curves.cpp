@@ -56,7 +56,7 @@ class Chains {
         most_hook_(most_hook * std::ldexp(tolerances.touch, network.exponent)),
         degree_(network.nodes.size(), 0) {
     for (const GraphEdge& edge : graph.edges) {
-      if (edge.left == edge.right) continue;
+      if (!edge.is_kept()) continue;
       ++degree_[index(network.arcs[index(edge.arc)].from)];
       ++degree_[index(network.arcs[index(edge.arc)].to)];
     }
@@ -77,7 +77,7 @@ class Chains {
   /// The edge of arc i if the arc is kept, otherwise null.
   const GraphEdge* kept(int i) const {
     const int e = graph_.edge_of[index(i)];
-    if (e < 0 || graph_.edges[index(e)].left == graph_.edges[index(e)].right) return nullptr;
+    if (e < 0 || !graph_.edges[index(e)].is_kept()) return nullptr;
     return &graph_.edges[index(e)];
   }
 

@@ -12,8 +12,8 @@ struct KeptCurve {
   int left, right;  ///< faces
 };
 
-/// The arcs that separate different faces, chained through nodes where no other curve ends; ordered by curve and along
-/// each curve.
+/// The arcs that separate different faces or are drawn lines, chained through nodes where no other curve ends; ordered
+/// by curve and along each curve.
 std::vector<KeptCurve> chain_arcs(const ArcNetwork& network, std::span<const SidedCurve> curves,
                                   const ArrangementGraph& graph, const ArcTolerances& tolerances);
 

@@ -22,12 +22,12 @@ class GraphBuilder {
   GraphBuilder(const ArcNetwork& network, std::span<const SidedCurve> curves, const ArcTolerances& tolerances)
       : network_(network), curves_(curves), tolerances_(tolerances) {}
 
-  ArrangementGraph build(const std::function<int(const Winding&)>& owner) {
+  ArrangementGraph build(const RegionMeaning& meaning) {
     merge_arcs(network_, curves_, tolerances_, graph_);
     sort_around_nodes();
     trace_regions();
     check_planarity();
-    if (graph_.broken.empty()) propagate(owner);
+    if (graph_.broken.empty()) propagate(meaning);
     return std::move(graph_);
   }
 
@@ -180,6 +180,10 @@ class GraphBuilder {
   static int crossing(std::span<const Point> polygon, const Point& p) {
     const bool from_above = polygon.front().y > p.y, to_above = polygon.back().y > p.y;
     if (from_above == to_above) return 0;
+    const auto [least, greatest] =
+        std::minmax_element(polygon.begin(), polygon.end(), [](const Point& q, const Point& r) { return q.x < r.x; });
+    if (least->x >= p.x) return 0;
+    if (greatest->x < p.x) return from_above ? 1 : -1;
     double low = 0, high = 1;
     for (int i = 0; i < 60; ++i) {
       const double middle = low + (high - low) / 2;
@@ -189,7 +193,7 @@ class GraphBuilder {
   }
 
   /// Finds the winding numbers of all regions, from the outside of each component inwards, and from them the faces.
-  void propagate(const std::function<int(const Winding&)>& owner) {
+  void propagate(const RegionMeaning& meaning) {
     std::vector<Winding> winding(index(regions_));
     std::vector<bool> known(index(regions_), false);
     std::vector<std::vector<int>> halves_of(index(regions_));
@@ -221,10 +225,17 @@ class GraphBuilder {
       }
     }
     std::vector<int> owners(index(regions_));
-    std::transform(winding.begin(), winding.end(), owners.begin(), owner);
+    std::transform(winding.begin(), winding.end(), owners.begin(), meaning.owner);
     for (std::size_t e = 0; e < graph_.edges.size(); ++e) {
-      graph_.edges[e].left = owners[index(region_[2 * e])];
-      graph_.edges[e].right = owners[index(region_[2 * e + 1])];
+      GraphEdge& edge = graph_.edges[e];
+      edge.left = owners[index(region_[2 * e])];
+      edge.right = owners[index(region_[2 * e + 1])];
+      const bool is_seen = std::any_of(edge.lines.begin(), edge.lines.end(), [&](int line) {
+        const auto shows = [&](int side) { return meaning.shows(line, winding[index(side)], owners[index(side)]); };
+        return shows(region_[2 * e]) || shows(region_[2 * e + 1]);
+      });
+      edge.is_drawn = is_seen && (edge.left != outside || edge.right != outside);
+      graph_.bare_lines += is_seen && !edge.is_drawn ? 1 : 0;
     }
   }
 
@@ -243,8 +254,8 @@ class GraphBuilder {
 }  // namespace
 
 ArrangementGraph build_graph(const ArcNetwork& network, std::span<const SidedCurve> curves,
-                             const ArcTolerances& tolerances, const std::function<int(const Winding&)>& owner) {
-  return GraphBuilder(network, curves, tolerances).build(owner);
+                             const ArcTolerances& tolerances, const RegionMeaning& meaning) {
+  return GraphBuilder(network, curves, tolerances).build(meaning);
 }
 
 }  // namespace pliant

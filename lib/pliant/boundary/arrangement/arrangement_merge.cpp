@@ -54,7 +54,9 @@ class ArcMerger {
         graph_.edges.push_back({static_cast<int>(i), {}});
       }
       GraphEdge& edge = graph_.edges[index(graph_.edge_of[index(kept[i])])];
-      add_winding(edge.jump, curves_[index(arcs[i].curve)].jump, arcs[i].from == arcs[index(edge.arc)].from ? 1 : -1);
+      const SidedCurve& curve = curves_[index(arcs[i].curve)];
+      add_winding(edge.jump, curve.jump, arcs[i].from == arcs[index(edge.arc)].from ? 1 : -1);
+      add_line(edge, curve.line);
     }
     drop_empty();
   }
@@ -96,12 +98,19 @@ class ArcMerger {
   int origin(int half) const { return half % 2 == 0 ? arc(half).from : arc(half).to; }
   static int twin(int half) { return half ^ 1; }
 
-  /// Drops the edges without a jump: both sides have the same winding numbers, so these edges separate nothing.
+  static void add_line(GraphEdge& edge, int line) {
+    if (line >= 0 && std::find(edge.lines.begin(), edge.lines.end(), line) == edge.lines.end())
+      edge.lines.push_back(line);
+  }
+
+  /// Drops the edges that are no lines and have no jump: both sides have the same winding numbers, so these edges
+  /// separate nothing.
   void drop_empty() {
     std::vector<GraphEdge> edges;
     for (GraphEdge& edge : graph_.edges) {
-      graph_.edge_of[index(edge.arc)] = edge.jump.empty() ? -1 : static_cast<int>(edges.size());
-      if (!edge.jump.empty()) edges.push_back(std::move(edge));
+      const bool is_empty = edge.jump.empty() && edge.lines.empty();
+      graph_.edge_of[index(edge.arc)] = is_empty ? -1 : static_cast<int>(edges.size());
+      if (!is_empty) edges.push_back(std::move(edge));
     }
     graph_.edges = std::move(edges);
   }
@@ -127,13 +136,28 @@ class ArcMerger {
     graph_.sliver_area += area;
   }
 
+  std::vector<int> lines_of(const Path& path) const {
+    GraphEdge all{};
+    for (const int half : path)
+      for (const int line : graph_.edges[index(half / 2)].lines) add_line(all, line);
+    return std::move(all.lines);
+  }
+
   /// Merges a chain into another that it runs beside; false if it does not.
   bool merge(const Path& kept, Path& other) {
     if (kept.size() + other.size() <= 2 || !runs_beside(kept, other) || !runs_beside(other, kept)) return false;
     const Winding jump = graph_.edges[index(other[0] / 2)].jump;
     const int sign = other[0] % 2 == 0 ? 1 : -1;
-    for (const int half : kept) add_winding(graph_.edges[index(half / 2)].jump, jump, half % 2 == 0 ? sign : -sign);
-    for (const int half : other) graph_.edges[index(half / 2)].jump.clear();
+    const std::vector<int> lines = lines_of(other);
+    for (const int half : kept) {
+      GraphEdge& edge = graph_.edges[index(half / 2)];
+      add_winding(edge.jump, jump, half % 2 == 0 ? sign : -sign);
+      for (const int line : lines) add_line(edge, line);
+    }
+    for (const int half : other) {
+      graph_.edges[index(half / 2)].jump.clear();
+      graph_.edges[index(half / 2)].lines.clear();
+    }
     double length = 0;
     for (const int half : other) length += polygon_length(network_.polygon(arc(half)));
     count_sliver(length * tolerances_.sliver);

@@ -1,4 +1,4 @@
-// formats/picture/svg_path.h: numbers and Bézier curves as SVG's path data, y upwards.
+// formats/picture/svg/path.h: numbers and Bézier curves as SVG's path data, y upwards.
 #pragma once
 #include <string>
 #include <string_view>
@@ -33,10 +33,5 @@ class SvgPath {
   double tolerance_;
   int decimals_;  // digits behind the point; negative: the shortest form of each number
 };
-
-/// The text with &, <, > and " escaped; what XML cannot hold (control characters) becomes U+FFFD.
-std::string escape_xml(std::string_view text);
-/// The number with six significant digits.
-std::string short_number(double value);
 
 }  // namespace pliant

@@ -1,4 +1,4 @@
-// tests/formats/svg_test.cpp: pictures are well-formed, and draw each edge once, as the curve it is.
+// tests/formats/picture/svg_test.cpp: pictures are well-formed, and draw each edge once, as the curve it is.
 #include "formats/picture/svg.h"
 
 #include <algorithm>
@@ -8,7 +8,7 @@
 #include <regex>
 
 #include "formats/picture/mesh_edges.h"
-#include "formats/picture/svg_path.h"
+#include "formats/picture/svg/path.h"
 #include "pliant/geometry/control_net.h"
 #include "pliant/mesh/check_mesh.h"
 #include "pliant/quality/metrics.h"

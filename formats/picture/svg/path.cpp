@@ -1,5 +1,5 @@
-// formats/picture/svg_path.cpp: numbers and Bézier curves as SVG's path data, y upwards.
-#include "formats/picture/svg_path.h"
+// formats/picture/svg/path.cpp: numbers and Bézier curves as SVG's path data, y upwards.
+#include "formats/picture/svg/path.h"
 
 #include <algorithm>
 #include <array>
@@ -111,34 +111,6 @@ void SvgPath::cubics(const std::vector<double>& polygon, int depth) {
   split_polygon(static_cast<int>(polygon.size() / 2) - 1, 2, polygon, 0.5, left, right);
   cubics(left, depth + 1);
   cubics(right, depth + 1);
-}
-
-std::string escape_xml(std::string_view text) {
-  std::string result;
-  for (const char c : text) switch (c) {
-      case '&':
-        result += "&amp;";
-        break;
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      case '"':
-        result += "&quot;";
-        break;
-      default:
-        static_cast<unsigned char>(c) < 0x20 && c != '\n' && c != '\t' ? result += "\xEF\xBF\xBD" : result += c;
-    }
-  return result;
-}
-
-std::string short_number(double value) {
-  std::array<char, 40> text;
-  const auto end =
-      std::to_chars(text.data(), text.data() + text.size(), value + 0.0, std::chars_format::general, 6).ptr;
-  return {text.data(), end};
 }
 
 }  // namespace pliant
