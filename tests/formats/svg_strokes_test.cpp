@@ -232,7 +232,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("--unit gives lengths on the page, from width, height and viewBox", "[svg]") {
+TEST_CASE("a unit gives lengths on the page, from width, height and viewBox", "[svg]") {
   const auto box_in = [](LengthUnit unit, const std::string& attributes, const std::string& content) {
     SvgReadOptions options;
     options.unit = unit;

@@ -14,6 +14,9 @@ except ImportError:
     sys.exit(77)
 
 source = pathlib.Path(sys.argv[1])
+sys.path.insert(0, str(source / "tests" / "support"))
+import cbor  # noqa: E402
+
 schemas = {name: json.loads((source / "formats" / f"{name}.schema.json").read_text()) for name in (file.name.split(".")[0] for file in sorted((source / "formats").glob("*.schema.json")))}
 store = {f"{name}.schema.json": schema for name, schema in schemas.items()}
 
@@ -43,12 +46,22 @@ shown = {page.stem for page in (source / "formats").glob("*.md") if "```json" in
 assert shown == set(schemas) == set(examples) and len(schemas) >= 6, (shown, set(schemas))
 for page in (source / "formats").glob("*.md"):
     fences = re.findall(r"^```(\w*)$", page.read_text(), re.M)
-    failures += [f"{page.name}: a fence '{kind}', which no test reads" for kind in fences[::2] if kind != "json"]
+    failures += [f"{page.name}: a fence '{kind}', which no test reads" for kind in fences[::2] if kind not in ("json", "hex")]
 assert len(problems) == 2
 if subprocess.run(["bspline2mesh", "-q"], input=json.dumps(examples["boundary"]), text=True, capture_output=True).returncode != 0:
     failures.append("boundary.md: bspline2mesh refuses the example")
 if status(examples["mesh"]) != 0:
     failures.append("mesh.md: the tools refuse the example")
+
+# The same document in CBOR: it begins as the page says, and another decoder reads what the tools write as JSON.
+as_json = subprocess.run(["passthrough"], input=json.dumps(examples["mesh"]).encode(), capture_output=True).stdout
+as_cbor = subprocess.run(["passthrough", "--to", "cbor"], input=json.dumps(examples["mesh"]).encode(), capture_output=True).stdout
+fences = {page.name: re.findall(r"```hex\n(.*?)```", page.read_text(), re.S) for page in (source / "formats").glob("*.md")}
+assert [name for name, found in fences.items() if found] == ["mesh.md"] and len(fences["mesh.md"]) == 1, fences
+if not as_cbor.startswith(bytes.fromhex(fences["mesh.md"][0])):
+    failures.append(f"mesh.md: in CBOR the example begins with {as_cbor[:80].hex(' ')}")
+if cbor.decode(as_cbor) != (json.loads(as_json), len(as_cbor)):
+    failures.append("mesh.md: the example in CBOR is another document than in JSON")
 
 for kind, degree in (("disk", 1), ("three", 2), ("tangled", 3)):
     document = json.loads(subprocess.check_output(["sample_mesh", kind, str(degree)]))

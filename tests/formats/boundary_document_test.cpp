@@ -1,4 +1,4 @@
-// tests/formats/boundary_json_test.cpp: the boundary document is lossless, strict, and says where it is wrong.
+// tests/formats/boundary_document_test.cpp: the boundary document is lossless, strict, and says where it is wrong.
 #include <catch2/catch.hpp>
 #include <string>
 #include <vector>
