@@ -1,11 +1,12 @@
 // tests/formats/mesh_document_test.cpp: the mesh document is lossless, strict, and says where it is wrong.
+#include "formats/document/mesh_document.h"
+
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <chrono>
 #include <string>
 #include <vector>
 
-#include "formats/document/mesh_document.h"
 #include "formats/document/read_json.h"
 #include "pliant/mesh/check_mesh.h"
 #include "support/carried_members.h"
