@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "formats/picture/gltf.h"
+#include "options/numbers.h"
 #include "options/picture_options.h"
 #include "run/documents.h"
 #include "run/exit_status.h"
@@ -59,12 +60,12 @@ int main(int argc, char** argv) {
                "name");
   app.add_option("--fps", gltf.frames_per_second, "meshes a second")
       ->type_name("N")
-      ->check(CLI::Range(0.001, 1000.0))
+      ->check([](const std::string& text) { return fault_of_number(text, 0.001, 1000); })
       ->capture_default_str();
   app.add_option("--outline", outline,
                  "width of constrained edges, in mesh units; by default 1/400 of the first mesh's size")
       ->type_name("WIDTH")
-      ->check(CLI::Range(0.0, 1e300));
+      ->check([](const std::string& text) { return fault_of_number(text, 0, 1e300); });
   app.add_option("--precision", precision,
                  "positions in 16 bits, for viewers that know KHR_mesh_quantization, or in single precision")
       ->type_name("quantized|float")

@@ -51,7 +51,7 @@ int main(int argc, char** argv) {
   drawing.add(app);
   app.add_option("--width", svg.width, "of the picture, in pixels")
       ->type_name("PIXELS")
-      ->check(CLI::Range(50.0, 100000.0))
+      ->check([](const std::string& text) { return fault_of_number(text, 50, 100000); })
       ->capture_default_str();
   app.add_option("--box", box, "what is shown; by default all control points and a margin")->type_name("X0,Y0,X1,Y1");
   app.add_option("--resolution", resolution,

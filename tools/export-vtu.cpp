@@ -29,6 +29,7 @@ std::vector<const Metric*> find_metrics(const std::vector<std::string>& names) {
     return metrics;
   }
   for (const std::string& name : names) {
+    if (name == "all" || name == "none") throw UsageError("--metric " + name + " stands alone, without others");
     const Metric* metric = find_metric(name);
     if (metric == nullptr) {
       std::string known;

@@ -97,7 +97,8 @@ Kind recognize(std::string_view bytes) {
   if (head.find("$MeshFormat") != std::string_view::npos || starts("$NOD") || starts("$Comments")) return msh_file;
   if (starts("# evolve")) return {"the note that evolve keeps beside its frames", ": give the frames (-o)"};
   if (starts("solid ")) return {"an STL file", of_no_tool};
-  if (starts("frame,") || starts("time,")) return {"a table (CSV)", ": give the mesh that it is about"};
+  if (starts("frame,") || starts("time,") || starts("step,"))
+    return {"a table (CSV)", ": give the mesh that it is about"};
   if (head.front() == '<') return recognize_xml(head);
   if (head.front() == '{') return recognize_document(head);
   return {};
@@ -122,7 +123,9 @@ std::string describe_other_kind(std::string_view bytes, FileKind wanted) {
     return {};
   if (kind.is_document && wants_document) return {};  // its reader says more
   if (!kind.format.empty()) return describe_other_format(kind.format);
-  return "this is " + std::string(kind.name) + std::string(kind.advice);
+  std::string text = "this is " + std::string(kind.name) + std::string(kind.advice);
+  if (kind.is_document) text += wanted == FileKind::svg ? "; an SVG drawing is wanted" : "; a Gmsh MSH file is wanted";
+  return text;
 }
 
 std::string nearest_word(std::string_view word, const std::vector<std::string>& candidates) {

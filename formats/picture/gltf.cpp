@@ -28,13 +28,12 @@ namespace {
 
 using tinygltf::Value;
 
-constexpr double color_tolerance = 0.01;    // how far a field's colour may be off, as a part of the frame's range
-constexpr double color_spread = 0.15;       // how much a piece's corners may differ, as a part of the frame's range:
-                                            // viewers mix their colours, and leave the map if these are far apart
-constexpr double layer = 5e-4;              // height of lines above the fill, and of outlines above lines, as a part of
-                                            // the mesh's size
+constexpr double color_tolerance = 0.01;  // how far a field's colour may be off, as a part of the frame's range
+constexpr double color_spread = 0.15;     // how much a piece's corners may differ, likewise: viewers mix their colours
+constexpr double layer = 5e-4;            // height of lines above the fill, and of outlines above lines, as a part of
+                                          // the mesh's size
 constexpr double height_tolerance = 0.005;  // how far heights may be off, as a part of the frame's range
-constexpr double least_height = 1e-30;      // of a frame's box; a flat one has this, so that layers can be scaled back
+constexpr double least_height = 1e-15;      // of a lifted box, as a part of the mesh's size: viewers square its inverse
 constexpr int circle_corners = 128;
 constexpr Rgb ink{0.078, 0.137, 0.18}, plain{0.86, 0.89, 0.92};
 
@@ -216,7 +215,8 @@ void GltfWriter::State::place_boxes() {
     const ValueRange& values_here = placed.box.heights;
     const double low = values_here.is_empty() ? 0 : heights.height_of(values_here.low);
     const double tall = values_here.is_empty() ? 0 : heights.height_of(values_here.high) - low;
-    const double scale = std::abs(tall) > least_height ? tall : least_height;
+    const bool is_flat = placed.node < 0 || values_here.is_empty();
+    const double scale = is_flat ? 1 : std::abs(tall) > least_height * size ? tall : least_height * size;
     if (placed.node >= 0) {
       tinygltf::Node& node = model.nodes[static_cast<std::size_t>(placed.node)];
       const Vector extent = options.quantize ? positive_extent(placed.box.plane) : Vector{1, 1};

@@ -91,6 +91,11 @@ double stroke_width(const Element& element, const Context& context, Notices& not
   return 1;
 }
 
+bool has_stroke_width(const Element& element, const Context& context) {
+  Notices said_later;
+  return stroke_width(element, context, said_later) > 0;
+}
+
 StrokeStyle stroke_style(const Element& element, const Declarations& declared, const Context& context,
                          Notices& notices) {
   constexpr double usual_miter_limit = 4;

@@ -12,6 +12,9 @@ bool paints(std::string_view paint, const Element& element, const Context& conte
 /// The width of an element's stroke in its own units; 1 where it is no length.
 double stroke_width(const Element& element, const Context& context, Notices& notices);
 
+/// Is that above zero? What is odd about it is said where the stroke is read.
+bool has_stroke_width(const Element& element, const Context& context);
+
 /// How the element's outline is stroked.
 StrokeStyle stroke_style(const Element& element, const Declarations& declared, const Context& context,
                          Notices& notices);

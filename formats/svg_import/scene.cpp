@@ -285,8 +285,8 @@ class Walker {
   /// Does the element paint a stroke of some width?
   bool has_stroke(const Element& element, const Context& context) {
     const Paint kind = classify_paint(context.stroke);
-    if (kind == Paint::invisible || kind == Paint::not_understood) return false;
-    return fraction_of(context.stroke_opacity, 1) > 0 && stroke_width(element, context, notices_) > 0 &&
+    return kind != Paint::invisible && kind != Paint::not_understood && fraction_of(context.stroke_opacity, 1) > 0 &&
+           has_stroke_width(element, context) &&
            (options_.strokes == Strokes::left_out || paints(context.stroke, element, context, tree_, notices_));
   }
 
@@ -299,8 +299,8 @@ class Walker {
     if (!context.transparent) note_lines(element, context);
     const bool is_stroked = !context.transparent && has_stroke(element, context);
     scene_.strokes += is_stroked ? 1 : 0;
-    const bool is_line = is_stroked && options_.strokes == Strokes::curves;
-    const bool is_area = is_stroked && options_.strokes == Strokes::area;
+    const bool is_line = is_stroked && options_.strokes == Strokes::curves,
+               is_area = is_stroked && options_.strokes == Strokes::area;
     const bool is_filled = element.name != "line" && !context.transparent && fraction_of(context.fill_opacity, 1) > 0 &&
                            paints(context.fill, element, context, tree_, notices_);
     if (!is_filled) ++scene_.unfilled;

@@ -287,13 +287,20 @@ void note_cost(const std::vector<Shape>& shapes, const SvgReadOptions& options, 
 
 /// Why a drawing of which nothing is filled is refused.
 std::string describe_nothing(const Scene& scene, Strokes strokes) {
-  std::string text = "nothing is filled: " + std::to_string(scene.shapes.size()) + " filled shape" +
-                     (scene.shapes.size() == 1 ? "" : "s") + " without an interior, " + std::to_string(scene.unfilled) +
-                     " without a fill, " + std::to_string(scene.hidden) + " hidden";
+  // With --strokes area, strokes are shapes too.
+  const std::size_t shapes =
+      scene.shapes.size() -
+      (strokes == Strokes::area ? std::min(scene.shapes.size(), static_cast<std::size_t>(scene.strokes)) : 0);
+  std::string text = "nothing is filled: " + std::to_string(shapes) + " filled shape" + (shapes == 1 ? "" : "s") +
+                     " without an interior, " + std::to_string(scene.unfilled) + " without a fill, " +
+                     std::to_string(scene.hidden) + " hidden";
   if (scene.strokes == 0) return text;
   text += "; " + std::to_string(scene.strokes) + (scene.strokes == 1 ? " has a stroke" : " have strokes");
-  text += strokes == Strokes::curves ? ", but curves of strokes only cut faces, and there are none"
-                                     : ", which --strokes area reads as the area that it paints";
+  if (strokes == Strokes::area)
+    text += ", but no area is painted";
+  else
+    text += strokes == Strokes::curves ? ", but curves of strokes only cut faces, and there are none"
+                                       : ", which --strokes area reads as the area that it paints";
   return text;
 }
 

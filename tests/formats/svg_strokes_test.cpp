@@ -72,6 +72,10 @@ TEST_CASE("dashes paint their lengths, from the offset on, and through the start
   CHECK(painted("<path d='M0 0h10v10h-10z' stroke-width='2' stroke-dasharray='15 5' stroke-dashoffset='5'/>") ==
         Approx(2 * 30 + 0.0).epsilon(1e-9));
   CHECK(painted("<circle r='10' stroke-width='2' stroke-dasharray='5 5'/>", 1e-7) > 0.45 * 40 * pi);
+  CHECK(painted("<line x2='10' stroke-width='1' stroke-linecap='square' stroke-dasharray='0 2'/>") ==
+        Approx(5).epsilon(1e-9));
+  CHECK(painted("<path d='M0 0h10v10h-10z' stroke-width='1' stroke-linecap='square' stroke-dasharray='0 2'/>") ==
+        Approx(20).epsilon(1e-9));
   CHECK(painted("<line x2='10' stroke-width='2' stroke-dasharray='0 0'/>") == Approx(20).epsilon(1e-9));
   CHECK(painted("<line x2='8' stroke-width='1' stroke-linecap='round' stroke-dasharray='0 2' "
                 "stroke-dashoffset='-1'/>") == Approx(pi).epsilon(1e-5));

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "formats/document/cbor/read_cbor.h"
 #include "formats/document/document_stream.h"
 #include "formats/document/mesh_document.h"
 #include "formats/document/read_json.h"
@@ -160,7 +161,17 @@ DocumentNames names_of(const MeshData& mesh) {
   for (const Face& face : mesh.boundary.faces) add_new(found.faces, face.name);
   for (const Curve& curve : mesh.boundary.curves) add_new(found.curves, curve.name);
   for (const auto& field : mesh.fields) found.fields.push_back({field.name, field.components});
+  for (const auto& [name, value] : mesh.extra)
+    if (name == "problem") found.parameters = names_in_json(write_value(*value)).parameters;
   return found;
+}
+
+DocumentNames names_in_cbor(std::string_view document) {
+  try {
+    return names_of(read_mesh(document));
+  } catch (const InputError&) {  // a boundary or a problem, which are short
+    return names_in_json(write_value(*CborReader(document).value()));
+  }
 }
 
 struct Closer {
@@ -185,7 +196,7 @@ DocumentNames names_in_file(const std::string& path) {
     if (const std::string_view bytes = stream.all_if("$"); !bytes.empty()) return names_of(read_msh(bytes, {}).mesh);
     std::string_view document;
     if (!stream.next(document)) return {};
-    return document.starts_with('{') ? names_in_json(document) : names_of(read_mesh(document));
+    return document.starts_with('{') ? names_in_json(document) : names_in_cbor(document);
   } catch (const std::exception&) {
     return {};
   }

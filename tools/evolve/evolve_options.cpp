@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <charconv>
 #include <filesystem>
@@ -161,11 +162,20 @@ void EvolveCommand::read_logs() {
   }
 }
 
+void EvolveCommand::tell_history(std::vector<std::string>& given) const {
+  constexpr std::array<std::string_view, 5> changeable{"--step", "--until", "--steps", "--at", "--until-steady"};
+  const std::size_t end = options_.step_text.find_last_not_of(" \t\r\n");  // a file ends with a line end
+  std::vector<std::string> told{options_.step_text.substr(0, end + 1)};
+  for (std::size_t k = 0; k + 1 < given.size(); k += 2)  // names and values in turn: flags are not told
+    if (std::ranges::find(changeable, given[k]) == changeable.end()) told.insert(told.end(), {given[k], given[k + 1]});
+  given = std::move(told);
+}
+
 EvolveOptions EvolveCommand::read(const CLI::App& app) {
   read_step(app);
   read_goals(app);
   read_frames(app);
-  if (app.count("--step") == 0) options_.tool.given.insert(options_.tool.given.begin(), options_.step_text);
+  tell_history(options_.tool.given);
   return options_;
 }
 

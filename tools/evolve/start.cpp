@@ -34,7 +34,8 @@ MeshData read_input(const EvolveOptions& options, DocumentForm& form) {
   std::optional<MeshData> mesh;
   for_each_mesh(options.tool, [&](MeshData&& data, const Frame& frame) {
     if (mesh)
-      throw InputError("", "evolve begins with one mesh, and the input has several; `tail -n 1` takes the last");
+      throw InputError("", "evolve begins with one mesh, and the input has several; of JSON that is not " +
+                               std::string("compressed `tail -n 1` takes the last"));
     prepare(data);
     form = frame.form;
     mesh = std::move(data);
@@ -63,7 +64,14 @@ class Resumption {
                              ", which tells the step that made the frames; it is taken to be this one");
     go_back(noted ? schedule_of(noted->schedule) : any_end());
     start_.is_steady = noted && noted->steady_at == start_.mesh.time && options_.steady >= noted->steady;
-    prepare(start_.mesh);
+    try {
+      prepare(start_.mesh);
+    } catch (const BadMesh& error) {
+      const Fault& fault = error.faults().front();
+      refuse_frame(*start_.earlier, start_.kept - 1, fault.place + ": " + fault.text);
+    } catch (const InputError& error) {
+      refuse_frame(*start_.earlier, start_.kept - 1, error.what());
+    }
     return std::move(start_);
   }
 

@@ -40,7 +40,12 @@ IsolineRequest parse_isolines(const std::string& text) {
   if (equals == std::string::npos) return request;
   const std::string rest = text.substr(equals + 1);
   if (whole_number(rest)) {
-    request.count = count_within("--isolines " + text, rest, most_isolines);
+    try {
+      request.count = count_within("--isolines " + text, rest, most_isolines);
+    } catch (const UsageError& error) {
+      throw UsageError(std::string(error.what()) + "; the value " + rest + " alone is written " + request.field + "=" +
+                       rest + ",");
+    }
     return request;
   }
   for (std::size_t from = 0; from < rest.size();) {

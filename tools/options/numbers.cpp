@@ -31,6 +31,18 @@ double parse_not_negative(const std::string& option, const std::string& text) {
   return value;
 }
 
+std::string fault_of_number(const std::string& text, double low, double high) {
+  double value = 0;
+  const char* const last = text.c_str() + text.size();
+  const auto [end, error] = std::from_chars(text.c_str(), last, value);
+  if (end == last && error == std::errc() && value >= low && value <= high) return {};
+  const auto shortest = [](double bound) {
+    char digits[40];
+    return std::string(digits, std::to_chars(digits, digits + sizeof digits, bound).ptr);
+  };
+  return "'" + text + "' is not a number from " + shortest(low) + " to " + shortest(high);
+}
+
 std::pair<std::string, double> parse_named_number(const std::string& option, const std::string& text) {
   const std::size_t equals = text.rfind('=');
   if (equals == std::string::npos || equals == 0) throw UsageError(option + ": '" + text + "' should be NAME=NUMBER");

@@ -10,6 +10,9 @@ double parse_number(const std::string& option, const std::string& text);
 /// The same, above zero.
 double parse_positive(const std::string& option, const std::string& text);
 double parse_not_negative(const std::string& option, const std::string& text);
+/// What is wrong with the text of a number that is to lie between these two, both included; empty if nothing is. For
+/// CLI11's `check`, whose own ranges let NaN pass.
+std::string fault_of_number(const std::string& text, double low, double high);
 /// NAME=NUMBER, split at the last '='; the number finite and above zero.
 std::pair<std::string, double> parse_named_number(const std::string& option, const std::string& text);
 

@@ -2,11 +2,13 @@
 #include "options/obstacles.h"
 
 #include <cerrno>
-#include <fstream>
-#include <iterator>
+#include <cstdio>
 #include <map>
+#include <memory>
 #include <system_error>
 
+#include "formats/document/byte_source.h"
+#include "formats/document/recognize.h"
 #include "formats/svg_import/svg_reader.h"
 #include "options/picture_options.h"
 #include "pliant/boundary/fault.h"
@@ -79,14 +81,17 @@ std::vector<Circle> parse_circles(const std::vector<std::string>& texts) {
 }
 
 std::vector<std::vector<Point>> read_outlines(const std::string& file) {
-  std::ifstream in(file, std::ios::binary);
-  const std::string bytes{std::istreambuf_iterator<char>(in), {}};
-  if (!in.is_open() || in.bad()) throw std::system_error(errno, std::generic_category(), file);
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> stream(std::fopen(file.c_str(), "rb"), std::fclose);
+  if (stream == nullptr) throw std::system_error(errno, std::generic_category(), file);
+  ByteSource source(stream.get(), file);
+  const std::string bytes = read_all(source);
   try {
     SvgReadOptions options;
     options.planar = true;  // shapes may lie over each other
     return loops_of(read_svg(bytes, options).boundary);
   } catch (const InputError& error) {
+    if (const std::string other = describe_other_kind(bytes, FileKind::svg); !other.empty())
+      throw InputError("", "--svg " + file + ": " + other);
     throw InputError("",
                      "--svg " + file + ": " + (error.pointer().empty() ? "" : error.pointer() + ": ") + error.what());
   }

@@ -105,7 +105,9 @@ class Stroker {
     std::size_t dash = 0;
     double left = std::fmod(style_.dash_offset, period);
     if (left < 0) left += period;
-    while (left >= style_.dashes[dash]) {
+    // A dash of no length at the very start is a dot there.
+    const auto is_dot = [&] { return left == 0 && style_.dashes[dash] == 0 && dash % 2 == 0; };
+    while (left >= style_.dashes[dash] && !is_dot()) {
       left -= style_.dashes[dash];
       dash = (dash + 1) % style_.dashes.size();
     }

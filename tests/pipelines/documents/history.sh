@@ -49,11 +49,16 @@ if has_tool bspline2mesh && has_tool refine && has_tool import-svg && has_tool e
   step='advect --dt 0.01 --vx 1 --vy 0 | flipdelaunay'
   bspline2mesh --history --no-refine "$examples/disk.json" >disk-mesh.json
   run 0 evolve --add-history "$step" --steps 2 --every 1 disk-mesh.json -o run.jsonl
-  [ "$(entries run.jsonl | sort -u)" = "bspline2mesh --no-refine; evolve $step --steps 2 --every 1" ] ||
+  [ "$(entries run.jsonl | sort -u)" = "bspline2mesh --no-refine; evolve $step --every 1" ] ||
     fail "evolve is told as: $(entries run.jsonl)"
   cp run.jsonl two.jsonl
   run 0 evolve --add-history "$step" --steps 3 --every 1 --resume -o run.jsonl disk-mesh.json
   same <(head -n 3 run.jsonl) two.jsonl
+  evolve --add-history "$step" --steps 3 --every 1 disk-mesh.json -o three.jsonl
+  same run.jsonl three.jsonl
+  echo "$step" >step
+  run 0 evolve --add-history --step step --steps 3 --every 1 disk-mesh.json
+  same out three.jsonl
   [ "$(entries run.jsonl | sort -u | wc -l)" = 1 ] || fail 'a resumed run has another history'
 fi
 finish
