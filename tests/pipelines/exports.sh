@@ -51,6 +51,30 @@ run 0 export-gltf a.json
 same a.glb out
 run 0 export-gltf --no-binary a.json
 same a.gltf out
+# Lines lie a little above the mesh, and no box is so thin that normals overflow in single precision.
+for options in '' '--precision float' '--lit' '--lit --precision float' '--lit --height u' '--lit --height u:0'; do
+  run 0 export-gltf $options --no-binary a.json
+  python3 - <<'PYTHON' || fail "export-gltf $options: the nodes are out of place"
+import json
+nodes = json.load(open("out"))["nodes"]
+for node in nodes:
+    assert min(node.get("scale", [1])) == 0 or min(node.get("scale", [1])) > 1e-16, node
+def heights(node, scale):
+    low = node.get("translation", [0, 0, 0])[2] * scale
+    inner = scale * node.get("scale", [1, 1, 1])[2]
+    return [low] + [low + height for child in node.get("children", []) for height in heights(nodes[child], inner)]
+children = {child for node in nodes for child in node.get("children", [])}
+for number, node in enumerate(nodes):
+    assert number in children or max(map(abs, heights(node, 1))) < 10, node
+assert len(nodes) > 3
+PYTHON
+done
+for option in '--fps nan' '--outline nan' '--outline -1' '--fps 1e9'; do
+  run 2 export-gltf $option a.json
+  says ' is not a number from '
+done
+run 2 export-svg --width nan a.json
+says "--width: 'nan' is not a number from 50 to "
 # -v says what was written.
 for tool in export-svg export-msh export-gltf export-vtu; do
   run 0 "$tool" -v disk.json

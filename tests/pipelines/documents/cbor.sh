@@ -60,6 +60,20 @@ if has_tool bspline2mesh && has_tool evolve; then
   same frames.cbor run.cbor
 fi
 
+# Completion finds the same names in either form.
+if has_tool import-svg && has_tool bspline2mesh && has_tool diffuse; then
+  for form in json cbor; do
+    import-svg -q --planar --to $form "$examples/drawing.svg" >drawing.$form
+    bspline2mesh --complete-value --face-area '' drawing.$form >faces.$form
+    bspline2mesh -q --no-refine drawing.json | sed "s/^{/{\"problem\":$(tr -d '\n' <"$examples/heat.json" | sed 's/[&/\\]/\\&/g'),/" |
+      passthrough --to $form >mesh.$form
+    diffuse --complete-value --set '' mesh.$form >parameters.$form
+  done
+  grep -q pond faces.json && grep -q = parameters.json || fail 'completion finds no names in JSON'
+  same faces.cbor faces.json
+  same parameters.cbor parameters.json
+fi
+
 # Which tool reads what this one does not.
 if has_tool bspline2mesh && has_tool advect; then
   run 3 filter advect "$examples/drawing.svg"
