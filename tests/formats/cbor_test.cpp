@@ -158,7 +158,8 @@ TEST_CASE("typed arrays of every type, order and alignment are read, and plain a
   CborReader in(odd);
   std::vector<std::array<std::int32_t, 2>> pairs;
   CHECK_THROWS_WITH(in.pairs(pairs), Catch::Contains("odd number"));
-  CborReader fraction("\xD8\x55\x44\0\0\0\x3F"s);
+  const std::string half = "\xD8\x55\x44\0\0\0\x3F"s;
+  CborReader fraction(half);
   std::vector<std::int32_t> integers;
   CHECK_THROWS_WITH(fraction.integers(integers), Catch::Contains("should be an integer (byte 3)"));
 }
