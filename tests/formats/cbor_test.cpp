@@ -223,7 +223,7 @@ TEST_CASE("an outline of JSON tells line and column as the document does", "[for
   for (int k = 0; k < 200; ++k) text += std::to_string(k) + (k % 7 == 0 ? ",\n" : ", ");
   text += "0], \"b\": [1,\n 2], \"c\":\n  3, \"more\": [" + std::string(600, ' ') + "1], \"d\": {\"e\": 4}}";
   NumberArray points{text.find('['), text.find(']') + 1};
-  const std::size_t more = text.find("[", text.find("more"));
+  const std::size_t more = text.find('[', text.find("more"));
   const DocumentOutline outline(text, {points, {more, text.find(']', more) + 1}});
   for (const char* pointer : {"", "/a", "/points", "/b", "/b/1", "/c", "/more", "/d", "/d/e"}) {
     CAPTURE(pointer);
