@@ -42,11 +42,13 @@ struct Entry<std::array<std::int32_t, 2>> {
 template <class Numbers, class Out>
 class EntryIterator {
  public:
+  // NOLINTBEGIN(readability-identifier-naming): the names of the standard library
   using iterator_category = std::random_access_iterator_tag;
   using value_type = Out;
   using difference_type = std::ptrdiff_t;
   using pointer = const Out*;
   using reference = Out;
+  // NOLINTEND(readability-identifier-naming)
   explicit EntryIterator(const char* at) : at_(at) {}
   Out operator*() const {
     Out out{};
