@@ -56,7 +56,7 @@ class DocumentReader {
   template <class F>
   void array(F element);
 
-  /// Of the next value, which is not read.
+  /// What the next value is; it is not read.
   virtual Kind kind() = 0;
   virtual double number() = 0;
   virtual std::int32_t integer() = 0;  ///< within 32 bits; 2.0 is an integer as in JSON Schema

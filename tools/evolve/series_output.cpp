@@ -110,7 +110,7 @@ class EarlierSeries : public EarlierFrames {
       place += static_cast<std::int64_t>(left.size());
     } while (file_);
   }
-  /// Of each frame of CBOR only heads are read, since they tell what follows.
+  /// Frames of CBOR: only heads are read, since they tell what follows.
   void look_at_items() {
     const auto size = static_cast<std::int64_t>(std::filesystem::file_size(path_));
     std::string block(1 << 12, '\0');

@@ -18,7 +18,7 @@ class StrokePart {
   double first() const { return first_; }
   double last() const { return last_; }
   Point at(double t) const;
-  /// Of unit length; at a stop the limit towards the inside.
+  /// The direction, of unit length; at a stop the limit towards the inside.
   Vector tangent(double t) const;
   /// d/dt of the place, and the curvature: positive where the curve turns to the left.
   double speed(double t) const;
