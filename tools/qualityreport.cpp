@@ -5,6 +5,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "formats/document/history.h"
 #include "formats/report/report_csv.h"
 #include "formats/report/report_html.h"
 #include "formats/report/report_json.h"
@@ -121,7 +122,7 @@ class ReportWriter {
   void write(const MeshData& mesh, const QualityReport& report, const ElementFigures& elements, const Frame& frame) {
     text_.clear();
     if (options_.format == "json") {
-      write_report(report, text_);
+      write_report(report, history_of(mesh.extra), text_);
     } else if (options_.format == "csv") {
       if (!has_begun_) write_csv_header(elements, text_);
       write_csv_elements(mesh, elements, frame.index, text_);
@@ -131,7 +132,7 @@ class ReportWriter {
       HtmlReport::frame(mesh, report, elements, frame.source, text_);
     } else {
       if (has_begun_) text_ += '\n';
-      write_report_text(report, place_of(frame), text_);
+      write_report_text(report, history_of(mesh.extra), place_of(frame), text_);
     }
     has_begun_ = true;
     output_.write(text_);

@@ -197,7 +197,7 @@ std::string frame_summary(const MeshData& mesh, const QualityReport& report, con
                        {"unused_points", report.unused_points},
                        {"ranges", ranges_of(mesh, elements)}});
   if (const Json history = history_words(mesh); !history.empty()) write_members(json, {{"history", history}});
-  write_report(report, whole_report);
+  write_report(report, {}, whole_report);
   whole_report.pop_back();
   json.name("report").raw(whole_report);
   json.end_object();

@@ -53,6 +53,10 @@ Json to_json(const FieldFigures& field) {
           {"integral", list_of(field.integral)}};
 }
 
+Json to_json(const HistoryEntry& entry) {
+  return {{"tool", entry.tool}, {"version", entry.version}, {"options", entry.options}};
+}
+
 template <class Figures>
 Json list_of(const std::vector<Figures>& all) {
   Json list = Json::array();
@@ -106,10 +110,11 @@ Json mesh_figures(const QualityReport& report) {
 
 }  // namespace
 
-void write_report(const QualityReport& report, std::string& out) {
+void write_report(const QualityReport& report, const std::vector<HistoryEntry>& history, std::string& out) {
   JsonWriter json(out);
   json.begin_object();
   write_members(json, mesh_figures(report));
+  if (!history.empty()) write_json(json.name("history"), list_of(history));
   // One metric at a time: with --worst its list may be as long as the mesh.
   for (const MetricSummary& metric : report.metrics) write_json(json.name(metric.name), to_json(metric));
   json.end_object();

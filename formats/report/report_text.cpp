@@ -24,6 +24,13 @@ constexpr double text_resolution = 1e-4;  // of the mesh's size: places
   out.append(text.data(), std::min(static_cast<std::size_t>(std::max(length, 0)), text.size() - 1));
 }
 
+/// Blanks in place of control characters, by which a document could move the terminal's cursor.
+std::string printable(std::string text) {
+  std::ranges::replace_if(
+      text, [](char c) { return static_cast<unsigned char>(c) < ' ' || c == 0x7F; }, ' ');
+  return text;
+}
+
 /// Bytes of whole UTF-8 characters that fit the columns, dots where some had to go.
 std::string shortened(const std::string& text, std::size_t width) {
   std::size_t characters = 0, keep = 0;
@@ -32,9 +39,7 @@ std::string shortened(const std::string& text, std::size_t width) {
     if (characters == width - 2) keep = k;
     ++characters;
   }
-  std::string result = characters <= width ? text : text.substr(0, keep) + "..";
-  std::ranges::replace_if(
-      result, [](char c) { return static_cast<unsigned char>(c) < ' ' || c == 0x7F; }, ' ');
+  const std::string result = printable(characters <= width ? text : text.substr(0, keep) + "..");
   return result + std::string(width - std::min(characters, width), ' ');
 }
 
@@ -186,9 +191,21 @@ void print_worst(std::string& out, const std::vector<MetricSummary>& metrics) {
   }
 }
 
+void print_history(std::string& out, const std::vector<HistoryEntry>& history) {
+  const char* title = "\nmade by\n";
+  for (const HistoryEntry& entry : history) {
+    out += title;
+    title = "";
+    std::string words = entry.tool + " " + entry.version;
+    for (const std::string& option : entry.options) words += " " + option;
+    print_wrapped(out, printable(words), 0, 2);
+  }
+}
+
 }  // namespace
 
-void write_report_text(const QualityReport& report, const std::string& title, std::string& out) {
+void write_report_text(const QualityReport& report, const std::vector<HistoryEntry>& history, const std::string& title,
+                       std::string& out) {
   print_wrapped(out, title, 0, 2);
   const double resolution = text_resolution * report.size;
   print_counts(out, report);
@@ -202,6 +219,7 @@ void write_report_text(const QualityReport& report, const std::string& title, st
   print_metrics(out, report.metrics);
   print_histograms(out, report.metrics);
   print_worst(out, report.metrics);
+  print_history(out, history);
 }
 
 }  // namespace pliant

@@ -18,7 +18,7 @@ namespace {
 
 nlohmann::ordered_json written(const QualityReport& report) {
   std::string text;
-  write_report(report, text);
+  write_report(report, {}, text);
   REQUIRE(std::ranges::count(text, '\n') == 1);
   REQUIRE(text.back() == '\n');
   return nlohmann::ordered_json::parse(text);
@@ -133,7 +133,7 @@ TEST_CASE("the text fits 80 columns", "[formats]") {
   const int worst = GENERATE(0, 5, 200);
   CAPTURE(bins, worst);
   std::string text;
-  write_report_text(report_quality(data, {worst, bins, {}}), "file.json: frame 0", text);
+  write_report_text(report_quality(data, {worst, bins, {}}), {}, "file.json: frame 0", text);
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);) {
     CAPTURE(line);
@@ -148,7 +148,7 @@ TEST_CASE("the text prints a time with the digits of a sum of round steps", "[fo
        {std::pair(1000000.5, " 1000000.5 "), std::pair(4.95, " 4.95 "), std::pair(1.0 / 3, " 0.33333 ")}) {
     report.time = time;
     std::string text;
-    write_report_text(report, "one.json: frame 0", text);
+    write_report_text(report, {}, "one.json: frame 0", text);
     CHECK_THAT(text, Catch::Contains(expected));
   }
 }

@@ -61,4 +61,19 @@ if has_tool bspline2mesh && has_tool refine && has_tool import-svg && has_tool e
   same out three.jsonl
   [ "$(entries run.jsonl | sort -u | wc -l)" = 1 ] || fail 'a resumed run has another history'
 fi
+
+if has_tool qualityreport; then
+  filter passthrough --history disk.json >told.json
+  run 0 qualityreport --format json told.json
+  python3 -c 'import json, sys
+(document, report) = [json.load(open(name)) for name in sys.argv[1:]]
+sys.exit(document["history"] != report["history"])' told.json out || fail 'the report has another history'
+  run 0 qualityreport told.json
+  tail -n 2 out | head -n 1 | grep -qx 'made by' || fail 'the report does not tell the history'
+  tail -n 1 out | grep -q '^passthrough [0-9]' || fail "the report tells $(tail -n 1 out)"
+  run 0 qualityreport disk.json
+  grep -q 'made by' out && fail 'a report tells a history that is not there'
+  run 0 qualityreport --format json disk.json
+  grep -q '"history"' out && fail 'a report has a history that is not there'
+fi
 finish
