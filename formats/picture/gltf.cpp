@@ -30,8 +30,7 @@ using tinygltf::Value;
 
 constexpr double color_tolerance = 0.01;  // how far a field's colour may be off, as a part of the frame's range
 constexpr double color_spread = 0.15;     // how much a piece's corners may differ, likewise: viewers mix their colours
-constexpr double layer = 5e-4;            // height of lines above the fill, and of outlines above lines, as a part of
-                                          // the mesh's size
+constexpr double layer = 5e-4;  // from obstacles to the fill, lines, and outlines, as a part of the mesh's size
 constexpr double height_tolerance = 0.005;  // how far heights may be off, as a part of the frame's range
 constexpr double least_height = 1e-15;      // of a lifted box, as a part of the mesh's size: viewers square its inverse
 constexpr int circle_corners = 128;
@@ -54,6 +53,7 @@ struct GltfWriter::State {
     int node;
     GltfBox box;
     std::vector<std::pair<int, int>> parts;
+    int layer_number;  // of all of it
   };
 
   explicit State(GltfOptions given) : options(std::move(given)), buffer(options.quantize) {}
@@ -142,7 +142,7 @@ void GltfWriter::State::add_circles() {
     const auto disk = primitive(at, buffer.add_indices(triangles, corners.size()),
                                 material(obstacle, "obstacle", obstacle_color, 1), TINYGLTF_MODE_TRIANGLES);
     circle_nodes.push_back(add_node("obstacle", disk));
-    boxes.push_back({circle_nodes.back(), box, {}});
+    boxes.push_back({circle_nodes.back(), box, {}, -1});
   }
 }
 
@@ -169,7 +169,7 @@ void GltfWriter::State::add_parts(const Tessellation& pieces, const GltfBand& ba
   const int colors = colored ? add_colors(pieces) : -1;
   const Vector unit = options.quantize ? positive_extent(box.plane) : Vector{1, 1};
   const int normals = options.lit ? buffer.add_normals(vertex_normals(pieces, box, unit)) : -1;
-  PlacedBox placed{-1, box, {}};
+  PlacedBox placed{-1, box, {}, 0};
   const auto part = [&](const char* name, const tinygltf::Primitive& p, int layer_number) {
     placed.parts.emplace_back(add_node(name, p), layer_number);
   };
@@ -221,7 +221,8 @@ void GltfWriter::State::place_boxes() {
       tinygltf::Node& node = model.nodes[static_cast<std::size_t>(placed.node)];
       const Vector extent = options.quantize ? positive_extent(placed.box.plane) : Vector{1, 1};
       const Point corner = options.quantize ? placed.box.plane.low : Point{0, 0};
-      if (corner.x != 0 || corner.y != 0 || low != 0) node.translation = {corner.x, corner.y, low};
+      if (const double z = low + placed.layer_number * layer * size; corner.x != 0 || corner.y != 0 || z != 0)
+        node.translation = {corner.x, corner.y, z};
       if (extent.x != 1 || extent.y != 1 || scale != 1) node.scale = {extent.x, extent.y, scale};
     }
     for (const auto& [part, number] : placed.parts)
