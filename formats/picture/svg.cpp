@@ -11,30 +11,12 @@
 #include "formats/picture/svg/frame.h"
 #include "formats/picture/svg/isolines.h"
 #include "formats/picture/svg/legend.h"
+#include "formats/picture/svg/placement.h"
 #include "formats/picture/svg/text.h"
-#include "pliant/mesh/documents/document_unit.h"
 #include "pliant/quality/metrics.h"
 
 namespace pliant {
 namespace {
-
-constexpr double margin = 0.03;  // around the control points, as a part of the larger side
-
-Box shown_box(const MeshData& mesh, const SvgOptions& options) {
-  if (options.box) return *options.box;
-  Box box = bounding_box(mesh);
-  for (const Circle& circle : options.circles) {
-    const Vector reach{circle.radius, circle.radius};
-    box.extend(circle.center - reach);
-    box.extend(circle.center + reach);
-  }
-  if (box.size() == 0) box = {box.low - Vector{0.5, 0.5}, box.high + Vector{0.5, 0.5}};
-  const double larger = std::max(box.high.x - box.low.x, box.high.y - box.low.y);
-  // Even a picture of a straight line needs some height and width.
-  const auto grow = [larger](double side) { return margin * larger + std::max(0.0, 0.05 * larger - side) / 2; };
-  const Vector by{grow(box.high.x - box.low.x), grow(box.high.y - box.low.y)};
-  return {box.low - by, box.high + by};
-}
 
 /// The title of the colours with its unit.
 std::string legend_title(const ElementValues& values, const SvgOptions& options) {
@@ -65,14 +47,6 @@ void write_head(const MeshData& mesh, const SvgOptions& options, const Theme& th
          (theme.paper == Rgb{1, 1, 1} ? "#fff" : hex(theme.paper)) + "\"/>\n";
 }
 
-/// The options in the unit of a mesh that was scaled.
-SvgOptions in_unit_of(const SvgOptions& options, double unit) {
-  SvgOptions result = options;
-  if (result.box) result.box = Box{result.box->low / unit, result.box->high / unit};
-  for (Circle& circle : result.circles) circle = {circle.center / unit, circle.radius / unit};
-  return result;
-}
-
 /// The values of the colours. Metrics are those of the document, in its own unit.
 ElementValues color_values(const MeshData& mesh, const MeshData& document, const SvgOptions& options) {
   try {
@@ -82,15 +56,19 @@ ElementValues color_values(const MeshData& mesh, const MeshData& document, const
   }
 }
 
-/// `mesh` is the document, or its like in another unit.
-std::vector<std::string> write_picture(const MeshData& mesh, const MeshData& document, const SvgOptions& options,
-                                       std::string& out) {
-  const double unit = mesh.boundary.unit;
+}  // namespace
+
+std::vector<std::string> write_svg(const MeshData& document, const SvgOptions& wanted, std::string& out) {
+  const PlacedDocument placed(document, wanted);
+  const MeshData& mesh = placed.mesh();
+  const SvgOptions& options = placed.options();
+  const Placement& placement = placed.placement();
+  const Box& box = placed.box();
   const Theme* theme = find_theme(options.theme);
   if (theme == nullptr) throw std::invalid_argument("--theme: there is none of the name '" + options.theme + "'");
   const Colormap& map = options.map != nullptr ? *options.map : *find_colormap(theme->map);
   const ElementValues values = color_values(mesh, document, options);
-  const InvalidElements bad = find_invalid(mesh);
+  const InvalidElements bad = find_invalid(document);
   const ValueRange range = options.range.value_or(exact_range(mesh, values, bad.invalid));
   const Legend legend{mesh,
                       options.color.kind,
@@ -101,15 +79,14 @@ std::vector<std::string> write_picture(const MeshData& mesh, const MeshData& doc
                       bad.invalid.size(),
                       bad.degenerate.size()};
   const bool wants_legend = options.legend && options.color.kind != ColorBy::Kind::nothing;
-  const Box box = shown_box(mesh, options);
-  Frame frame(options, *theme, box, unit,
+  Frame frame(options, *theme, box, placement,
               wants_legend ? [&legend](double height) { return legend_width(legend, height); }
                            : std::function<double(double)>());
   const MeshEdges edges = find_edges(mesh);
-  const Drawing drawing{mesh, options, *theme, map, values, range, bad, edges, box, frame.pixel()};
+  const Drawing drawing{mesh, options, *theme, map, values, range, bad, edges, box, placement, frame.pixel()};
 
   std::vector<Key> keys;
-  std::string layers, above;
+  std::string layers;
   if (options.scale_bar) keys.push_back(frame.scale_bar());
   draw_circles(drawing, layers);
   draw_elements(drawing, layers);
@@ -132,24 +109,15 @@ std::vector<std::string> write_picture(const MeshData& mesh, const MeshData& doc
   text.text(" width=\"" + short_number(frame.drawn_width()) + "\" height=\"" + short_number(frame.drawn_height()));
   text.text("\" viewBox=\"").number(box.low.x).text(" ").number(-box.high.y).text(" ");
   text.number(box.high.x - box.low.x).text(" ").number(box.high.y - box.low.y).text("\"");
-  if (unit != 1) text.text(" data-unit=\"" + exact_number(unit) + "\"");
+  if (placement.unit != 1) text.text(" data-unit=\"" + exact_number(placement.unit) + "\"");
+  if (const Point& origin = placement.origin; origin != Point{})
+    text.text(" data-origin=\"" + exact_number(origin.x) + " " + exact_number(origin.y) + "\"");
   text.text(">\n").text(layers).text("</svg>\n");
   frame.write_axes(out);
   frame.write_keys(out);
   if (frame.has_legend()) write_legend(legend, frame.legend_left(), frame.top(), frame.legend_height(), out);
   text.text("</svg>\n");
   return frame.left_out();
-}
-
-}  // namespace
-
-std::vector<std::string> write_svg(const MeshData& mesh, const SvgOptions& options, std::string& out) {
-  const double size = bounding_box(mesh).size();
-  if (size == 0 || (size > 0x1p-60 && size < 0x1p60)) return write_picture(mesh, mesh, options, out);
-  // Viewers compute with numbers of single precision, which end at 1e38.
-  MeshData scaled = mesh;
-  normalize_unit(scaled);
-  return write_picture(scaled, mesh, in_unit_of(options, scaled.boundary.unit), out);
 }
 
 }  // namespace pliant

@@ -172,10 +172,9 @@ Key draw_arrows(const Drawing& drawing, const ArrowRequest& request, std::string
         path.text(side < 0 ? "M" : "A" + short_number(0.7 * pixel) + " " + short_number(0.7 * pixel) + " 0 1 0 ")
             .point(sample.at + Vector{side * 0.7 * pixel, 0})
             .text(side < 0 ? "" : "Z");
-    path.text("\"><title>")
-        .text(escape_xml(request.field))
-        .text("(" + exact_number(sample.at.x * drawing.mesh.boundary.unit));
-    path.text(", " + exact_number(sample.at.y * drawing.mesh.boundary.unit) + ") = (" + exact_number(sample.value.x));
+    const Point at = drawing.placement.in_document(sample.at);
+    path.text("\"><title>").text(escape_xml(request.field)).text("(" + exact_number(at.x));
+    path.text(", " + exact_number(at.y) + ") = (" + exact_number(sample.value.x));
     path.text(", " + exact_number(sample.value.y) + ")</title></path>\n");
   }
   path.text("</g>\n");

@@ -6,6 +6,7 @@
 #include "formats/picture/mesh_edges.h"
 #include "formats/picture/svg.h"
 #include "formats/picture/svg/path.h"
+#include "formats/picture/svg/placement.h"
 #include "formats/picture/svg/theme.h"
 #include "pliant/geometry/net_layout.h"
 #include "pliant/mesh/check_mesh.h"
@@ -22,7 +23,8 @@ struct Drawing {
   ValueRange range;
   const InvalidElements& bad;
   const MeshEdges& edges;
-  Box box;       ///< what is shown
+  const Box& box;  ///< what is shown
+  const Placement& placement;
   double pixel;  ///< size of a pixel in mesh units
 
   TriangleId triangles() const { return static_cast<TriangleId>(mesh.triangle_faces.size()); }

@@ -32,12 +32,12 @@ void write_key_arrow(const Point& tail, double length, const std::string& ink, s
 
 }  // namespace
 
-Frame::Frame(const SvgOptions& options, const Theme& theme, const Box& box, double unit,
+Frame::Frame(const SvgOptions& options, const Theme& theme, const Box& box, const Placement& placement,
              const std::function<double(double)>& legend_width)
     : options_(options),
       theme_(theme),
       box_(box),
-      unit_(unit),
+      placement_(placement),
       width_(options.width / options.scale),
       axes_(options.axes) {
   const std::string pixels = " for a picture " + short_number(options.width) + " pixels wide";
@@ -91,7 +91,7 @@ std::string Frame::axis_name(const char* letter) const {
 bool Frame::name_fits_beside() const { return text_width(axis_name("y"), font) <= drawn_height_; }
 
 std::vector<Frame::Tick> Frame::x_ticks() const {
-  const ValueRange range{box_.low.x * unit_, box_.high.x * unit_};
+  const ValueRange range{placement_.in_document(box_.low).x, placement_.in_document(box_.high).x};
   std::vector<Tick> result;
   for (int count = std::max(1, static_cast<int>(drawn_width_ / 60)); count > 0; --count) {
     const std::vector<double> values = ticks(range, count);
@@ -116,7 +116,7 @@ std::vector<Frame::Tick> Frame::x_ticks() const {
 }
 
 std::vector<Frame::Tick> Frame::y_ticks() const {
-  const ValueRange range{box_.low.y * unit_, box_.high.y * unit_};
+  const ValueRange range{placement_.in_document(box_.low).y, placement_.in_document(box_.high).y};
   std::vector<Tick> result;
   const std::vector<double> values = ticks(range, std::max(1, static_cast<int>(drawn_height_ / 40)));
   const std::vector<std::string> labels = tick_labels(values);
@@ -128,12 +128,12 @@ std::vector<Frame::Tick> Frame::y_ticks() const {
 }
 
 Key Frame::scale_bar() const {
-  const double most = 0.3 * (box_.high.x - box_.low.x) * unit_;
+  const double most = 0.3 * (box_.high.x - box_.low.x) * placement_.unit;
   const double power = std::pow(10, std::floor(std::log10(most)));
   double length = power;
   for (const double nice : {2.0, 5.0})
     if (nice * power <= most) length = nice * power;
-  return {Key::Sign::bar, length / unit_ / pixel(),
+  return {Key::Sign::bar, length / placement_.unit / pixel(),
           short_number(length) + (options_.unit.empty() ? "" : " " + options_.unit)};
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "formats/picture/svg.h"
+#include "formats/picture/svg/placement.h"
 #include "formats/picture/svg/theme.h"
 
 namespace pliant {
@@ -21,8 +22,8 @@ struct Key {
 class Frame {
  public:
   /// Makes room for title, axes and the legend, whose width depends on the height of the drawing (0: there is none).
-  /// A part for which there is no room is left out. Lengths of the document are `unit` times those of the box.
-  Frame(const SvgOptions& options, const Theme& theme, const Box& box, double unit,
+  /// A part for which there is no room is left out. `placement` tells the document's coordinates from those of the box.
+  Frame(const SvgOptions& options, const Theme& theme, const Box& box, const Placement& placement,
         const std::function<double(double)>& legend_width);
 
   double width() const { return width_; }
@@ -63,7 +64,8 @@ class Frame {
   const SvgOptions& options_;
   const Theme& theme_;
   Box box_;
-  double unit_, width_, min_height_ = 0;
+  Placement placement_;
+  double width_, min_height_ = 0;
   bool axes_;
   double side_ = 0, left_ = 0, top_ = 0, drawn_width_ = 1, drawn_height_ = 1, keys_top_ = 0;
   std::vector<std::string> title_, left_out_;
