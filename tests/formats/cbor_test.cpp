@@ -192,6 +192,23 @@ TEST_CASE("what JSON has not is refused with its place", "[formats][cbor]") {
   CHECK_THAT(fault_of("\xD9\xD9\xF7"s), Contains("the document ends"));
 }
 
+TEST_CASE("numbers of a typed array are taken for nothing else, whatever their bytes", "[formats][cbor]") {
+  // 0x1B would be the head of an item of nine bytes, 0x1C none at all.
+  for (const std::string& bytes : {"\xD8\x40\x41\x1C"s, "\xD8\x40\x5F\x41\x1B\xFF"s}) {
+    const auto refuses = [&](const std::string& text, auto read) {
+      CborReader in(bytes);
+      CHECK_THROWS_WITH(in.array([&] { read(in); }), Catch::Contains(text + ", found a number"));
+    };
+    refuses("should be an object", [](CborReader& in) { in.object([](std::string_view) { return false; }); });
+    refuses("should be an array", [](CborReader& in) { in.array([] {}); });
+    refuses("should be a string", [](CborReader& in) { in.string(); });
+    refuses("should be an array of numbers", [](CborReader& in) {
+      std::vector<double> numbers;
+      in.numbers(numbers);
+    });
+  }
+}
+
 TEST_CASE("forged lengths are refused before anything is allocated", "[formats][cbor]") {
   const std::string huge = "\xFF\xFF\xFF\xFF\xFF\xFF\xFF\xFF";
   for (const char* head : {"\x9B", "\xBB", "\x7B", "\x5B", "\xD8\x56\x5B", "\xD8\x46\x5F\x5B"})
