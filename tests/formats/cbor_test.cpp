@@ -2,13 +2,16 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cstdio>
+#include <limits>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <random>
 #include <string>
 
 #include "formats/document/cbor/read_cbor.h"
 #include "formats/document/document_reader.h"
 #include "formats/document/document_stream.h"
+#include "formats/document/document_value.h"
 #include "formats/document/mesh_document.h"
 
 using namespace pliant;
@@ -107,6 +110,11 @@ TEST_CASE("long arrays go to the sink as they are, and come back", "[formats][cb
   CHECK(read_mesh(cbor).points == data.points);
   CHECK(json_of(cbor) == json);
   CHECK(cbor_of(json) == cbor);
+  data.extra.emplace_back("force", to_document(Json(std::numeric_limits<double>::infinity())));
+  std::string pieces;
+  for (const DocumentForm form : {DocumentForm::json, DocumentForm::cbor})
+    CHECK_THROWS_AS(write_mesh(data, form, [&](std::string_view piece) { pieces += piece; }), std::domain_error);
+  CHECK(pieces.empty());
 }
 
 TEST_CASE("numbers are read in every encoding of CBOR", "[formats][cbor]") {
