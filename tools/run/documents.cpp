@@ -18,24 +18,19 @@
 namespace pliant {
 namespace {
 
-std::string in_frame(const Frame& frame, const std::string& text) {
-  return frame.source + ": frame " + std::to_string(frame.index) + ": " + text;
-}
-
-/// Runs `work` on one document and adds the document's place to what it throws.
-void with_place(const InputDocument& document, const std::function<void()>& work) {
-  const Frame& frame = document.frame();
+/// Runs `work`, and adds to what it throws which document it is about: `describe` puts the place of a fault before its
+/// text, and `opening` stands before every other text.
+void with_source(const std::string& opening,
+                 const std::function<std::string(const std::string& pointer, const std::string& text)>& describe,
+                 const std::function<void()>& work) {
   try {
     work();
-  } catch (const DocumentError& e) {
-    throw Placed(status::bad_input, describe_at(frame, e.place(), e.pointer(), e.text()));
   } catch (const BadMesh& e) {
     std::string text;
-    for (const Fault& fault : e.faults())
-      text += (text.empty() ? "" : "\n") + describe_fault(document, fault.place, fault.text);
+    for (const Fault& fault : e.faults()) text += (text.empty() ? "" : "\n") + describe(fault.place, fault.text);
     throw Placed(status::bad_input, text);
   } catch (const InputError& e) {
-    throw Placed(status::bad_input, describe_fault(document, e.pointer(), e.what()));
+    throw Placed(status::bad_input, describe(e.pointer(), e.what()));
   } catch (const Placed&) {
     throw;
   } catch (const UsageError&) {
@@ -43,16 +38,31 @@ void with_place(const InputDocument& document, const std::function<void()>& work
   } catch (const std::system_error&) {
     throw;
   } catch (const NoResult& e) {
-    throw Placed(status::no_result, in_frame(frame, e.what()));
+    throw Placed(status::no_result, opening + e.what());
   } catch (const std::domain_error& e) {
-    throw Placed(status::no_result, in_frame(frame, e.what()));
+    throw Placed(status::no_result, opening + e.what());
   } catch (const std::bad_alloc&) {
-    throw Placed(status::no_result, in_frame(frame, std::string(out_of_memory)));
+    throw Placed(status::no_result, opening + std::string(out_of_memory));
   } catch (const std::length_error&) {  // of a container that would be larger than the address space
-    throw Placed(status::no_result, in_frame(frame, std::string(out_of_memory)));
+    throw Placed(status::no_result, opening + std::string(out_of_memory));
   } catch (const std::exception& e) {
-    throw Placed(status::internal_error, in_frame(frame, describe_internal_error(e.what())));
+    throw Placed(status::internal_error, opening + describe_internal_error(e.what()));
   }
+}
+
+/// The same with the place in the document.
+void with_place(const InputDocument& document, const std::function<void()>& work) {
+  const Frame& frame = document.frame();
+  with_source(
+      frame.source + ": frame " + std::to_string(frame.index) + ": ",
+      [&](const std::string& pointer, const std::string& text) { return describe_fault(document, pointer, text); },
+      [&] {
+        try {
+          work();
+        } catch (const DocumentError& e) {
+          throw Placed(status::bad_input, describe_at(frame, e.place(), e.pointer(), e.text()));
+        }
+      });
 }
 
 struct Closer {
@@ -73,21 +83,15 @@ void say_numbers(const ToolOptions& options, const Frame& frame, const TagRuns& 
 
 void use_msh(const ToolOptions& options, const MshOptions& msh, std::string_view bytes, const Frame& frame,
              const std::function<void(MshImport&&, const Frame&)>& use) {
-  try {
-    MshImport import = read_msh(bytes, msh);
-    for (const std::string& text : import.warnings) say(options, frame.source + ": " + text);
-    if (options.verbose) say_numbers(options, frame, import.elements);
-    use(std::move(import), frame);
-  } catch (const BadMesh& e) {
-    std::string text;
-    for (const Fault& fault : e.faults())
-      text += (text.empty() ? "" : "\n") + frame.source + ": " + at_pointer(fault.place, fault.text);
-    throw Placed(status::bad_input, text);
-  } catch (const InputError& e) {
-    throw Placed(status::bad_input, frame.source + ": " + at_pointer(e.pointer(), e.what()));
-  } catch (const NoResult& e) {
-    throw Placed(status::no_result, frame.source + ": " + e.what());
-  }
+  const std::string opening = frame.source + ": ";
+  with_source(
+      opening, [&](const std::string& pointer, const std::string& text) { return opening + at_pointer(pointer, text); },
+      [&] {
+        MshImport import = read_msh(bytes, msh);
+        for (const std::string& text : import.warnings) say(options, opening + text);
+        if (options.verbose) say_numbers(options, frame, import.elements);
+        use(std::move(import), frame);
+      });
 }
 
 }  // namespace
