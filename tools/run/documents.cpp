@@ -2,8 +2,6 @@
 #include "run/documents.h"
 
 #include <cerrno>
-#include <cstdio>
-#include <memory>
 #include <new>
 #include <system_error>
 
@@ -65,10 +63,6 @@ void with_place(const InputDocument& document, const std::function<void()>& work
       });
 }
 
-struct Closer {
-  void operator()(std::FILE* file) const { std::fclose(file); }
-};
-
 /// Says which triangles are which elements, in a few lines or not at all.
 void say_numbers(const ToolOptions& options, const Frame& frame, const TagRuns& elements) {
   const std::vector<TagRuns::Run>& runs = elements.runs();
@@ -96,21 +90,26 @@ void use_msh(const ToolOptions& options, const MshOptions& msh, std::string_view
 
 }  // namespace
 
+void InputCloser::operator()(std::FILE* file) const {
+  if (file != stdin) std::fclose(file);
+}
+
+InputFile open_input(const std::string& path) {
+  InputFile file(path == "-" ? stdin : std::fopen(path.c_str(), "rb"));
+  if (file == nullptr) throw std::system_error(errno, std::generic_category(), path);
+  return file;
+}
+
 std::string describe_internal_error(const std::string& text) {
   return "internal error: " + text + "; please report it, with the command and its input";
 }
 
 void for_each_document(const ToolOptions& options, FileKind kind, const std::function<void(InputDocument&)>& use,
                        const std::function<void(std::string_view bytes, const Frame&)>& use_msh_file) {
-  std::unique_ptr<std::FILE, Closer> file;
   Frame frame;
-  frame.source = "standard input";
-  if (options.input != "-") {
-    frame.source = options.input;
-    file.reset(std::fopen(options.input.c_str(), "rb"));
-    if (file == nullptr) throw std::system_error(errno, std::generic_category(), options.input);
-  }
-  DocumentStream stream(file == nullptr ? stdin : file.get(), frame.source);
+  frame.source = options.input == "-" ? "standard input" : options.input;
+  const InputFile file = open_input(options.input);
+  DocumentStream stream(file.get(), frame.source);
   if (use_msh_file) {
     const std::string_view bytes = stream.all_if("$");
     if (!bytes.empty()) return use_msh_file(bytes, frame);
