@@ -7,7 +7,7 @@
 
 namespace pliant {
 
-/// Is this argument of --flow a file? It is if it contains a "/", ends as documents do (.json, .cbor, .gz ...), or
+/// Is this argument of --flow a file? It is if it contains a "/", ends as files of meshes do (.json, .msh, .gz ...), or
 /// names a file that exists, unless the part before a ":" is the name of a flow.
 bool is_flow_file(const std::string& text);
 

@@ -71,8 +71,7 @@ void VelocityOption::add(CLI::App& app) {
            if (text == "help") throw CLI::CallForVersion(list_flows(), 0);  // which prints it and ends the line
          },
          "a named flow (\"help\" lists them), or the velocity field of another mesh or series of meshes: a FILE "
-         "contains "
-         "\"/\", ends in .json or .jsonl, or exists and is no flow's name")
+         "contains \"/\", ends in .json, .jsonl, .cbor, .msh, .gz or .zst, or exists and is no flow's name")
       ->type_name("FLOW[:KEY=VALUE,...]|FILE");
   app.add_option("--flow-field", flow_field_, "with --flow FILE: the name of the field")
       ->type_name("FIELD")
