@@ -137,8 +137,8 @@ void append_json(std::string& out, const Json& value) {
   write_json(writer, value);
 }
 
-std::shared_ptr<const DocumentValue> read_value(std::string_view json) {
-  const auto in = reader_of(json);
+std::shared_ptr<const DocumentValue> read_value(std::string_view bytes) {
+  const auto in = reader_of(bytes);
   auto value = in->value();
   in->finish();
   return value;
