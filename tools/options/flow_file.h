@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "pliant/flow/mesh_flow.h"
+#include "run/tool_options.h"
 
 namespace pliant {
 
@@ -16,9 +17,9 @@ bool is_flow_file(const std::string& text);
 int find_vectors(const std::vector<Field>& fields, const std::string& name, const std::string& what,
                  bool may_be_by_face = false);
 
-/// Reads every frame of the file.
+/// Reads every frame of the file that is the input of these options; what is said goes by them too.
 /// Throws      Placed for bad input: faults of a mesh, invalid elements, no such field, times that do not increase;
 ///             std::system_error
-VelocityField read_flow(const std::string& file, const std::string& field, MeshFlow::Outside policy);
+VelocityField read_flow(const ToolOptions& options, const std::string& field, MeshFlow::Outside policy);
 
 }  // namespace pliant

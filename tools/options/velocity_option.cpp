@@ -51,6 +51,16 @@ VelocityField parse_flow(const std::string& text) {
   }
 }
 
+/// The options with which the tool reads another file than its input. A step of evolve has no --quiet of its own.
+ToolOptions as_input(const CLI::App& app, const std::string& file) {
+  ToolOptions options;
+  options.tool = app.get_name();
+  options.input = file;
+  const CLI::Option* const quiet = app.get_option_no_throw("--quiet");
+  options.quiet = quiet != nullptr && quiet->count() > 0;
+  return options;
+}
+
 Expression parse_component(const std::string& option, const std::string& text) {
   try {
     return Expression(text);
@@ -110,9 +120,8 @@ void VelocityOption::check(const CLI::App& app) {
       return Vector{u(place.x, place.y, time), v(place.x, place.y, time)};
     };
   } else if (app.count("--flow") > 0) {
-    velocity_ = is_file ? read_flow(flow_, flow_field_,
-                                    outside_ == "nearest" ? MeshFlow::Outside::nearest : MeshFlow::Outside::refuse)
-                        : parse_flow(flow_);
+    const MeshFlow::Outside policy = outside_ == "nearest" ? MeshFlow::Outside::nearest : MeshFlow::Outside::refuse;
+    velocity_ = is_file ? read_flow(as_input(app, flow_), flow_field_, policy) : parse_flow(flow_);
   }
 }
 
