@@ -28,7 +28,7 @@ ROOMS = [
     (re.compile(r"boost/"), {"geometry"}, False),
     (re.compile(r"ceres/|glog/"), {"improve"}, False),
     (re.compile(r"nlohmann/json_fwd\.hpp"), {"formats"}, True),
-    (re.compile(r"nlohmann/(?!json_fwd\.hpp)|simdjson|tiny_gltf|expat|zlib"), {"formats"}, False),
+    (re.compile(r"nlohmann/(?!json_fwd\.hpp)|simdjson|tiny_gltf|expat|zlib|zstd"), {"formats"}, False),
     (re.compile(r"librsvg/|cairo"), {"formats"}, False),
     (re.compile(r"muParser"), {"tools"}, False),
     (re.compile(r"CLI/"), {"tools"}, True),

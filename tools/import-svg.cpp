@@ -1,11 +1,7 @@
 // tools/import-svg.cpp: reads the filled shapes of a drawing as a boundary.
 #include <CLI/CLI.hpp>
 #include <array>
-#include <cerrno>
-#include <cstdio>
-#include <memory>
 #include <string_view>
-#include <system_error>
 #include <utility>
 
 #include "formats/document/byte_source.h"
@@ -24,20 +20,6 @@
 namespace {
 
 using namespace pliant;
-
-/// All of the input.
-std::string read_input(const std::string& path, const std::string& name) {
-  struct Closer {
-    void operator()(std::FILE* file) const { std::fclose(file); }
-  };
-  std::unique_ptr<std::FILE, Closer> file;
-  if (path != "-") {
-    file.reset(std::fopen(path.c_str(), "rb"));
-    if (file == nullptr) throw std::system_error(errno, std::generic_category(), name);
-  }
-  ByteSource source(file == nullptr ? stdin : file.get(), name);
-  return pliant::read_all(source);
-}
 
 PassReport summarize(const SvgImport& import) {
   PassReport report;
@@ -138,7 +120,9 @@ int main(int argc, char** argv) {
     Stopwatch watch;
     Frame frame;
     frame.source = options.input == "-" ? "standard input" : options.input;
-    const std::string bytes = read_input(options.input, frame.source);
+    const InputFile file = open_input(options.input);
+    ByteSource source(file.get(), frame.source);
+    const std::string bytes = read_all(source);
     SvgImport import;
     try {
       import = read_svg(bytes, svg);

@@ -96,10 +96,11 @@ class DocumentReader {
   };
   /// An object or array that is being read.
   struct Container {
-    bool is_first = true;
-    std::uint64_t left = 0;     // CBOR: entries to come, if their number is known
-    int element = 0;            // CBOR: the tag of a typed array, 0 for another one
-    const char* end = nullptr;  // CBOR: where reading goes on behind a typed array
+    bool is_first = true;        // JSON: no comma stands before the next entry
+    bool is_indefinite = false;  // CBOR: a break ends it
+    std::uint64_t left = 0;      // CBOR: entries to come, if their number is known
+    int element = 0;             // CBOR: the tag of a typed array, 0 for another one
+    const char* end = nullptr;   // CBOR: where reading goes on behind a typed array
   };
   static constexpr int max_depth = 64;
 

@@ -2,7 +2,6 @@
 #include "formats/document/document_value.h"
 
 #include <cmath>
-#include <limits>
 #include <nlohmann/json.hpp>
 #include <type_traits>
 #include <utility>
@@ -46,8 +45,8 @@ Json read_any(DocumentReader& in) {
     case DocumentReader::Kind::boolean:
       return in.boolean();
     case DocumentReader::Kind::null:
-      if (in.null()) return nullptr;
-      [[fallthrough]];
+      in.null();
+      return nullptr;
     default:
       return std::visit([](const auto number) { return Json(number); }, in.any_number());
   }
@@ -75,9 +74,11 @@ std::vector<Number> numbers_of(const Json& array) {
     if constexpr (std::is_same_v<Number, double>) {
       if (!element.is_number_float()) return {};
     } else {
-      if (!element.is_number_integer() || element < std::numeric_limits<Number>::min() ||
-          element > std::numeric_limits<Number>::max())
-        return {};
+      if (!element.is_number_integer()) return {};
+      // Json compares the two kinds of integers as signed ones.
+      const bool fits = element.is_number_unsigned() ? std::in_range<Number>(element.get<std::uint64_t>())
+                                                     : std::in_range<Number>(element.get<std::int64_t>());
+      if (!fits) return {};
     }
     numbers.push_back(element.get<Number>());
   }
@@ -136,8 +137,8 @@ void append_json(std::string& out, const Json& value) {
   write_json(writer, value);
 }
 
-std::shared_ptr<const DocumentValue> read_value(std::string_view json) {
-  const auto in = reader_of(json);
+std::shared_ptr<const DocumentValue> read_value(std::string_view bytes) {
+  const auto in = reader_of(bytes);
   auto value = in->value();
   in->finish();
   return value;

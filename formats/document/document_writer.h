@@ -1,8 +1,11 @@
 // formats/document/document_writer.h: writes documents, whatever their form: JSON or CBOR.
 #pragma once
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <span>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 
@@ -11,6 +14,12 @@
 #include "pliant/geometry/point.h"
 
 namespace pliant {
+
+/// Throws      std::domain_error where a number is not finite: no form of documents has such numbers
+inline void require_finite(std::span<const double> values) {
+  if (!std::ranges::all_of(values, [](double value) { return std::isfinite(value); }))
+    throw std::domain_error("a number of the result is not finite");
+}
 
 /// Appends the parts of a document to a string; with a sink, what has gathered there goes to it from time to time.
 /// Numbers must be finite, strings UTF-8.

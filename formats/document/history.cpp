@@ -30,7 +30,7 @@ void add_history(ExtraMembers& extra, const HistoryEntry& entry) {
   const auto found = find_history(extra);
   Json entries = found == extra.end() ? Json::array() : to_json(*found->second);
   if (!entries.is_array())
-    throw InputError(std::string("/") + member, "is no array of tools, so that --history cannot add one to it");
+    throw InputError(std::string("/") + member, "is no array of tools, so that none can be added to it");
   entries.push_back({{"tool", entry.tool}, {"version", entry.version}, {"options", entry.options}});
   if (found == extra.end())
     extra.emplace_back(member, to_document(std::move(entries)));

@@ -1,9 +1,7 @@
 // formats/document/mesh_document.cpp: the mesh document, formats/mesh.md.
 #include "formats/document/mesh_document.h"
 
-#include <algorithm>
-#include <cmath>
-#include <stdexcept>
+#include <array>
 #include <string>
 
 #include "formats/document/boundary_document.h"
@@ -178,21 +176,18 @@ void write_criteria(DocumentWriter& out, const Criteria& criteria) {
 }
 
 /// Throws where a number of the mesh is not finite: before anything of it is written.
-void require_finite(const MeshData& mesh) {
-  const auto check = [](bool all_finite) {
-    if (!all_finite) throw std::domain_error("a number of the result is not finite");
-  };
-  const auto are_finite = [](const std::vector<double>& values) {
-    return std::ranges::all_of(values, [](double value) { return std::isfinite(value); });
-  };
-  check(std::isfinite(mesh.time));
-  check(std::ranges::all_of(mesh.points, [](const Point& p) { return std::isfinite(p.x) && std::isfinite(p.y); }));
-  for (const Field& field : mesh.fields) check(are_finite(field.values));
-  // The rest is small, and is tried out.
+void require_finite_mesh(const MeshData& mesh) {
+  require_finite({&mesh.time, 1});
+  for (const Point& p : mesh.points) require_finite(std::array{p.x, p.y});
+  for (const Field& field : mesh.fields) require_finite(field.values);
+  // The rest is tried out, and the bytes thrown away.
+  const DocumentSink nowhere = [](std::string_view) {};
   std::string unused;
-  CborWriter writer(unused);
+  CborWriter writer(unused, &nowhere);
   write_boundary_object(writer, mesh.boundary, false);
   write_criteria(writer, mesh.criteria);
+  for (const Field& field : mesh.fields) writer.members(field.extra);
+  writer.members(mesh.extra);
 }
 
 void write_mesh_object(DocumentWriter& out, const MeshData& mesh) {
@@ -216,6 +211,16 @@ void write_mesh_object(DocumentWriter& out, const MeshData& mesh) {
   out.end_object().end();
 }
 
+void write_to(const MeshData& mesh, std::string& out, DocumentForm form, const DocumentSink* sink) {
+  if (form == DocumentForm::cbor) {
+    CborWriter writer(out, sink);
+    write_mesh_object(writer, mesh);
+  } else {
+    JsonWriter writer(out, sink);
+    write_mesh_object(writer, mesh);
+  }
+}
+
 }  // namespace
 
 MeshData read_mesh(std::string_view document, ReaderNotes* notes) {
@@ -228,26 +233,12 @@ MeshData read_mesh(std::string_view document, ReaderNotes* notes) {
   return data;
 }
 
-void write_mesh(const MeshData& mesh, std::string& out, DocumentForm form) {
-  if (form == DocumentForm::cbor) {
-    CborWriter writer(out);
-    write_mesh_object(writer, mesh);
-  } else {
-    JsonWriter writer(out);
-    write_mesh_object(writer, mesh);
-  }
-}
+void write_mesh(const MeshData& mesh, std::string& out, DocumentForm form) { write_to(mesh, out, form, nullptr); }
 
 void write_mesh(const MeshData& mesh, DocumentForm form, const DocumentSink& sink) {
-  require_finite(mesh);
+  require_finite_mesh(mesh);
   std::string pieces;
-  if (form == DocumentForm::cbor) {
-    CborWriter writer(pieces, &sink);
-    write_mesh_object(writer, mesh);
-  } else {
-    JsonWriter writer(pieces, &sink);
-    write_mesh_object(writer, mesh);
-  }
+  write_to(mesh, pieces, form, &sink);
 }
 
 }  // namespace pliant

@@ -33,9 +33,9 @@ void write_boundary(const BoundaryComplex& boundary, std::string& out, DocumentF
 /// Throws      std::domain_error otherwise
 void write_mesh(const MeshData& mesh, DocumentForm form, const DocumentSink& sink);
 
-/// A value for an unknown member from its JSON, and the JSON of such a value.
+/// A value for an unknown member from its JSON or CBOR, and the JSON of such a value.
 /// Throws      InputError as `read_mesh` does
-std::shared_ptr<const DocumentValue> read_value(std::string_view json);
+std::shared_ptr<const DocumentValue> read_value(std::string_view bytes);
 std::string write_value(const DocumentValue& value);
 
 }  // namespace pliant

@@ -4,12 +4,11 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <stdexcept>
 
 namespace pliant {
 
 void append_number(std::string& out, double value) {
-  if (!std::isfinite(value)) throw std::domain_error("a number of the result is not finite");
+  require_finite({&value, 1});
   if (value == 0) {
     out += std::signbit(value) ? "-0.0" : "0";  // -0 would be read as an integer by many programs, and lose its sign
     return;

@@ -1,4 +1,4 @@
-// formats/problem/diffuse_json.h: the section `diffuse` of a problem document as JSON.
+// formats/problem/diffuse_json.h: the section `diffuse` of a problem document, read and written.
 #pragma once
 #include "formats/document/document_reader.h"
 #include "formats/document/document_writer.h"

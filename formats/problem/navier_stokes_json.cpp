@@ -33,17 +33,12 @@ NavierStokesMaterial read_material(DocumentReader& in) {
   return material;
 }
 
-bool read_flag(DocumentReader& in) {
-  if (in.kind() != DocumentReader::Kind::boolean) in.fail("should be true or false");
-  return in.boolean();
-}
-
 /// The value of the member that says of which kind a condition is.
 void read_kind(DocumentReader& in, NavierStokesCondition& condition) {
   if (has_components(condition.kind)) {
     condition.components = read_expressions(
         in, 2, condition.kind == Kind::velocity ? "a velocity is [EXPR, EXPR]" : "a traction is [EXPR, EXPR]");
-  } else if (!read_flag(in)) {
+  } else if (!in.boolean()) {
     in.fail("should be true: a condition that does not hold is left out");
   }
 }
@@ -61,7 +56,7 @@ NavierStokesCondition read_condition(DocumentReader& in) {
       condition.kind = *named;
       read_kind(in, condition);
     } else if (name == "moves") {
-      condition.moves = read_flag(in);
+      condition.moves = in.boolean();
     } else {
       refuse_member(in, name, {"curve", "velocity", "slip", "traction", "outflow", "natural", "moves"});
     }

@@ -51,8 +51,8 @@ ProblemDocument read_document(DocumentReader& in) {
 
 }  // namespace
 
-ProblemDocument read_problem(std::string_view json) {
-  const auto in = reader_of(json);
+ProblemDocument read_problem(std::string_view document) {
+  const auto in = reader_of(document);
   ProblemDocument problem = read_document(*in);
   in->finish();
   return problem;
@@ -62,7 +62,7 @@ ProblemDocument read_problem(const DocumentValue& value) {
   try {
     return read_problem(write_value(value));
   } catch (const DocumentError& e) {
-    // Line and column are those of a text that nobody has seen.
+    // The place is one in a text that nobody has seen.
     throw InputError("/problem" + e.pointer(), e.text());
   }
 }
@@ -74,8 +74,7 @@ void write_problem(const ProblemDocument& problem, std::string& out) {
   if (problem.diffuse) write_diffuse(writer.name("diffuse"), *problem.diffuse);
   if (problem.navierstokes) write_navier_stokes(writer.name("navierstokes"), *problem.navierstokes);
   writer.members(problem.extra);
-  writer.end_object();
-  out += '\n';
+  writer.end_object().end();
 }
 
 std::shared_ptr<const DocumentValue> problem_value(const ProblemDocument& problem) {

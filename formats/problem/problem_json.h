@@ -1,4 +1,4 @@
-// formats/problem/problem_json.h: the problem document as JSON (formats/problem.md).
+// formats/problem/problem_json.h: the problem document, read as JSON or CBOR and written as JSON (formats/problem.md).
 #pragma once
 #include <string>
 #include <string_view>
@@ -9,8 +9,8 @@ namespace pliant {
 
 /// Reads one problem document: its grammar, types and members, and the names of its parameters. What its texts say, and
 /// whether faces and curves exist, is known only beside a mesh.
-/// Throws      DocumentError with a JSON pointer, line and column
-ProblemDocument read_problem(std::string_view json);
+/// Throws      DocumentError with a JSON pointer and the place
+ProblemDocument read_problem(std::string_view document);
 /// The same where the document is the member `problem` of a mesh.
 /// Throws      InputError with a pointer from the root of the mesh document
 ProblemDocument read_problem(const DocumentValue& value);

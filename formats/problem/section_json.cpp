@@ -1,4 +1,4 @@
-// formats/problem/section_json.cpp: expressions, names of curves and kinds of conditions as JSON.
+// formats/problem/section_json.cpp: expressions, names of curves and kinds of conditions, read and written.
 #include "formats/problem/section_json.h"
 
 #include "formats/problem/names.h"

@@ -2,13 +2,16 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cstdio>
+#include <limits>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <random>
 #include <string>
 
 #include "formats/document/cbor/read_cbor.h"
 #include "formats/document/document_reader.h"
 #include "formats/document/document_stream.h"
+#include "formats/document/document_value.h"
 #include "formats/document/mesh_document.h"
 
 using namespace pliant;
@@ -27,6 +30,7 @@ const std::string small =
     R"("knots":[0,1,2,3,4],"points":[0,0,1,0,1,1,0,1],"start":null,"end":null,"left":0,"right":null,)"
     R"("removal_error":0}],"cusps":[]},"criteria":{"max_area":1},)"
     R"("a":[1,-2,18446744073709551615,-9223372036854775808,1e+300,-0.0,0.1,1e+20,true,null,"\u0000x\"",{},[]],)"
+    R"("huge":[0,1,2,3,4,5,6,7,8,9,10,11,12,13,14,18446744073709551615],)"
     R"("long":[1,2,3,4,5,6,7,8,9,10,11,12,13,14,15,16,-17],"mixed":[1,2,3,4,5,6,7,8,9,10,11,12,13,14,15,0.5],)"
     R"("doubles":[0.5,1.5,2.5,3.5,4.5,5.5,6.5,7.5,8.5,9.5,10.5,11.5,12.5,13.5,14.5,-0.0,0.1]})"
     "\n";
@@ -106,6 +110,11 @@ TEST_CASE("long arrays go to the sink as they are, and come back", "[formats][cb
   CHECK(read_mesh(cbor).points == data.points);
   CHECK(json_of(cbor) == json);
   CHECK(cbor_of(json) == cbor);
+  data.extra.emplace_back("force", to_document(Json(std::numeric_limits<double>::infinity())));
+  std::string pieces;
+  for (const DocumentForm form : {DocumentForm::json, DocumentForm::cbor})
+    CHECK_THROWS_AS(write_mesh(data, form, [&](std::string_view piece) { pieces += piece; }), std::domain_error);
+  CHECK(pieces.empty());
 }
 
 TEST_CASE("numbers are read in every encoding of CBOR", "[formats][cbor]") {
@@ -190,6 +199,23 @@ TEST_CASE("what JSON has not is refused with its place", "[formats][cbor]") {
   CHECK(fault_of(std::string(64, '\x81') + "\x01").empty());
   CHECK_THAT(fault_of(std::string(100000, '\x9F')), Contains("nested more than 64 deep"));
   CHECK_THAT(fault_of("\xD9\xD9\xF7"s), Contains("the document ends"));
+}
+
+TEST_CASE("numbers of a typed array are taken for nothing else, whatever their bytes", "[formats][cbor]") {
+  // 0x1B would be the head of an item of nine bytes, 0x1C none at all.
+  for (const std::string& bytes : {"\xD8\x40\x41\x1C"s, "\xD8\x40\x5F\x41\x1B\xFF"s}) {
+    const auto refuses = [&](const std::string& text, auto read) {
+      CborReader in(bytes);
+      CHECK_THROWS_WITH(in.array([&] { read(in); }), Catch::Contains(text + ", found a number"));
+    };
+    refuses("should be an object", [](CborReader& in) { in.object([](std::string_view) { return false; }); });
+    refuses("should be an array", [](CborReader& in) { in.array([] {}); });
+    refuses("should be a string", [](CborReader& in) { in.string(); });
+    refuses("should be an array of numbers", [](CborReader& in) {
+      std::vector<double> numbers;
+      in.numbers(numbers);
+    });
+  }
 }
 
 TEST_CASE("forged lengths are refused before anything is allocated", "[formats][cbor]") {

@@ -170,6 +170,15 @@ PYTHON
   (($(grep -c 'is kept' err) == 2)) || fail "these members and no other are told: $(cat err)"
 fi
 
+if has_tool bspline2mesh && has_tool advect; then
+  bspline2mesh -q --no-refine --field velocity=1,0 "$SOURCE/samples/examples/disk.json" >plain.json
+  sed 's/"time":/"tiem":/' plain.json >flow.json
+  run 0 advect --dt 0.01 --flow flow.json plain.json
+  says 'advect: flow.json:1: frame 0: /tiem: is kept, but not known; is "time" meant?'
+  run 0 advect -q --dt 0.01 --flow flow.json plain.json
+  silent
+fi
+
 # A report must not overwrite what is read or written.
 run 2 passthrough disk.json --report new.json -o ./new.json
 says "--report and -o name the same file, 'new.json'"

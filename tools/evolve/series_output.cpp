@@ -65,7 +65,6 @@ class EarlierSeries : public EarlierFrames {
     is_cbor_ = begins_cbor(static_cast<char>(file_.peek()));
     file_.clear();
     is_cbor_ ? look_at_items() : look_at_lines();
-    if (file_.bad()) fail();
   }
 
   long count() const override { return static_cast<long>(ends_.size()); }
@@ -94,12 +93,17 @@ class EarlierSeries : public EarlierFrames {
   static std::size_t at(long k) { return static_cast<std::size_t>(k); }
   std::int64_t begin(long k) const { return k == 0 ? 0 : ends_[at(k - 1)]; }
   [[noreturn]] void fail() const { throw std::system_error(errno, std::generic_category(), path_); }
+  /// As many bytes as there are.
+  void read_block(std::string& block) {
+    file_.read(block.data(), static_cast<std::streamsize>(block.size()));
+    if (file_.bad()) fail();
+  }
   void look_at_lines() {
     std::string block(1 << 18, '\0');
     LineLook look;
     std::int64_t place = 0;
     do {
-      file_.read(block.data(), static_cast<std::streamsize>(block.size()));
+      read_block(block);
       std::string_view left(block.data(), static_cast<std::size_t>(file_.gcount()));
       for (std::size_t end; (end = left.find('\n')) != std::string_view::npos; left.remove_prefix(end + 1)) {
         look.take(left.substr(0, end));
@@ -121,7 +125,7 @@ class EarlierSeries : public EarlierFrames {
       while (!item.is_done()) {
         file_.clear();
         file_.seekg(place);
-        file_.read(block.data(), static_cast<std::streamsize>(block.size()));
+        read_block(block);
         const auto got = static_cast<std::size_t>(file_.gcount());
         if (place == start && !begins_as_frame(std::string_view(block.data(), got))) {
           if (static_cast<std::size_t>(size - start) < frame_begin) return;  // half written

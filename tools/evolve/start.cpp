@@ -37,6 +37,7 @@ MeshData read_input(const EvolveOptions& options, DocumentForm& form) {
       throw InputError("", "evolve begins with one mesh, and the input has several; of JSON that is not " +
                                std::string("compressed `tail -n 1` takes the last"));
     prepare(data);
+    record(options.tool, data.extra);
     form = frame.form;
     mesh = std::move(data);
   });
@@ -131,7 +132,6 @@ Start find_start(const EvolveOptions& options, const Step& step) {
   }
   Start start;
   start.mesh = read_input(options, start.form);
-  record(options.tool, start.mesh.extra);
   start.first_time = start.mesh.time;
   return start;
 }

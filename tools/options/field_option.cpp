@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 
+#include "formats/document/utf8.h"
 #include "pliant/boundary/boundary_spans.h"
 #include "pliant/mesh/interpolate_nodes.h"
 #include "run/exit_status.h"
@@ -40,6 +41,7 @@ void FieldOption::check() {
       request.name.resize(at);
       if (request.face.empty()) throw UsageError("--field " + text + ": there is no face after the @");
     }
+    if (find_no_utf8(request.name) != nullptr) throw UsageError("--field " + text + ": the name is not UTF-8");
     if (request.name.empty()) throw UsageError("--field " + text + ": the field has no name");
     for (const std::string& part : split_expressions(text.substr(equals + 1))) {
       try {

@@ -42,11 +42,9 @@ int find_vectors(const std::vector<Field>& fields, const std::string& name, cons
   return static_cast<int>(named - fields.begin());
 }
 
-VelocityField read_flow(const std::string& file, const std::string& field, MeshFlow::Outside policy) {
-  const auto flow = std::make_shared<MeshFlow>(file, policy);
-  ToolOptions input;
-  input.input = file;
-  for_each_mesh(input, [&](MeshData&& data, const Frame&) {
+VelocityField read_flow(const ToolOptions& options, const std::string& field, MeshFlow::Outside policy) {
+  const auto flow = std::make_shared<MeshFlow>(options.input, policy);
+  for_each_mesh(options, [&](MeshData&& data, const Frame&) {
     normalize_unit(data);
     in_unit(data.boundary.unit, [&] { require_mesh(data, false); });
     if (data.triangle_faces.empty()) throw InputError("/triangles", "a flow needs a mesh with triangles");

@@ -1,17 +1,14 @@
 // tools/options/obstacles.cpp: what stands beside a mesh in pictures and reports: disks and drawings.
 #include "options/obstacles.h"
 
-#include <cerrno>
-#include <cstdio>
 #include <map>
-#include <memory>
-#include <system_error>
 
 #include "formats/document/byte_source.h"
 #include "formats/document/recognize.h"
 #include "formats/svg_import/svg_reader.h"
 #include "options/picture_options.h"
 #include "pliant/boundary/fault.h"
+#include "run/documents.h"
 #include "run/exit_status.h"
 
 namespace pliant {
@@ -81,8 +78,8 @@ std::vector<Circle> parse_circles(const std::vector<std::string>& texts) {
 }
 
 std::vector<std::vector<Point>> read_outlines(const std::string& file) {
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> stream(std::fopen(file.c_str(), "rb"), std::fclose);
-  if (stream == nullptr) throw std::system_error(errno, std::generic_category(), file);
+  if (file == "-") throw UsageError("--svg wants a file: standard input is for meshes");
+  const InputFile stream = open_input(file);
   ByteSource source(stream.get(), file);
   const std::string bytes = read_all(source);
   try {

@@ -3,10 +3,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <cerrno>
-#include <cstdio>
 #include <functional>
-#include <system_error>
 
 #include "formats/document/byte_source.h"
 #include "formats/document/document_reader.h"
@@ -27,8 +24,7 @@ namespace {
 /// All bytes of a file.   Throws Placed where there are more than any problem has
 std::string read_whole(const std::string& path) {
   constexpr std::size_t most = std::size_t{64} << 20;
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), std::fclose);
-  if (!file) throw std::system_error(errno, std::generic_category(), path);
+  const InputFile file = open_input(path);
   ByteSource source(file.get(), path);
   std::string text;
   for (std::size_t got = 1; got > 0;) {

@@ -51,6 +51,16 @@ VelocityField parse_flow(const std::string& text) {
   }
 }
 
+/// The options with which the tool reads another file than its input. A step of evolve has no --quiet of its own.
+ToolOptions as_input(const CLI::App& app, const std::string& file) {
+  ToolOptions options;
+  options.tool = app.get_name();
+  options.input = file;
+  const CLI::Option* const quiet = app.get_option_no_throw("--quiet");
+  options.quiet = quiet != nullptr && quiet->count() > 0;
+  return options;
+}
+
 Expression parse_component(const std::string& option, const std::string& text) {
   try {
     return Expression(text);
@@ -71,8 +81,7 @@ void VelocityOption::add(CLI::App& app) {
            if (text == "help") throw CLI::CallForVersion(list_flows(), 0);  // which prints it and ends the line
          },
          "a named flow (\"help\" lists them), or the velocity field of another mesh or series of meshes: a FILE "
-         "contains "
-         "\"/\", ends in .json or .jsonl, or exists and is no flow's name")
+         "contains \"/\", ends in .json, .jsonl, .cbor, .msh, .gz or .zst, or exists and is no flow's name")
       ->type_name("FLOW[:KEY=VALUE,...]|FILE");
   app.add_option("--flow-field", flow_field_, "with --flow FILE: the name of the field")
       ->type_name("FIELD")
@@ -111,9 +120,8 @@ void VelocityOption::check(const CLI::App& app) {
       return Vector{u(place.x, place.y, time), v(place.x, place.y, time)};
     };
   } else if (app.count("--flow") > 0) {
-    velocity_ = is_file ? read_flow(flow_, flow_field_,
-                                    outside_ == "nearest" ? MeshFlow::Outside::nearest : MeshFlow::Outside::refuse)
-                        : parse_flow(flow_);
+    const MeshFlow::Outside policy = outside_ == "nearest" ? MeshFlow::Outside::nearest : MeshFlow::Outside::refuse;
+    velocity_ = is_file ? read_flow(as_input(app, flow_), flow_field_, policy) : parse_flow(flow_);
   }
 }
 

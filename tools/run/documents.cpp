@@ -2,8 +2,6 @@
 #include "run/documents.h"
 
 #include <cerrno>
-#include <cstdio>
-#include <memory>
 #include <new>
 #include <system_error>
 
@@ -18,24 +16,19 @@
 namespace pliant {
 namespace {
 
-std::string in_frame(const Frame& frame, const std::string& text) {
-  return frame.source + ": frame " + std::to_string(frame.index) + ": " + text;
-}
-
-/// Runs `work` on one document and adds the document's place to what it throws.
-void with_place(const InputDocument& document, const std::function<void()>& work) {
-  const Frame& frame = document.frame();
+/// Runs `work`, and adds to what it throws which document it is about: `describe` puts the place of a fault before its
+/// text, and `opening` stands before every other text.
+void with_source(const std::string& opening,
+                 const std::function<std::string(const std::string& pointer, const std::string& text)>& describe,
+                 const std::function<void()>& work) {
   try {
     work();
-  } catch (const DocumentError& e) {
-    throw Placed(status::bad_input, describe_at(frame, e.place(), e.pointer(), e.text()));
   } catch (const BadMesh& e) {
     std::string text;
-    for (const Fault& fault : e.faults())
-      text += (text.empty() ? "" : "\n") + describe_fault(document, fault.place, fault.text);
+    for (const Fault& fault : e.faults()) text += (text.empty() ? "" : "\n") + describe(fault.place, fault.text);
     throw Placed(status::bad_input, text);
   } catch (const InputError& e) {
-    throw Placed(status::bad_input, describe_fault(document, e.pointer(), e.what()));
+    throw Placed(status::bad_input, describe(e.pointer(), e.what()));
   } catch (const Placed&) {
     throw;
   } catch (const UsageError&) {
@@ -43,21 +36,32 @@ void with_place(const InputDocument& document, const std::function<void()>& work
   } catch (const std::system_error&) {
     throw;
   } catch (const NoResult& e) {
-    throw Placed(status::no_result, in_frame(frame, e.what()));
+    throw Placed(status::no_result, opening + e.what());
   } catch (const std::domain_error& e) {
-    throw Placed(status::no_result, in_frame(frame, e.what()));
+    throw Placed(status::no_result, opening + e.what());
   } catch (const std::bad_alloc&) {
-    throw Placed(status::no_result, in_frame(frame, std::string(out_of_memory)));
+    throw Placed(status::no_result, opening + std::string(out_of_memory));
   } catch (const std::length_error&) {  // of a container that would be larger than the address space
-    throw Placed(status::no_result, in_frame(frame, std::string(out_of_memory)));
+    throw Placed(status::no_result, opening + std::string(out_of_memory));
   } catch (const std::exception& e) {
-    throw Placed(status::internal_error, in_frame(frame, describe_internal_error(e.what())));
+    throw Placed(status::internal_error, opening + describe_internal_error(e.what()));
   }
 }
 
-struct Closer {
-  void operator()(std::FILE* file) const { std::fclose(file); }
-};
+/// The same with the place in the document.
+void with_place(const InputDocument& document, const std::function<void()>& work) {
+  const Frame& frame = document.frame();
+  with_source(
+      frame.source + ": frame " + std::to_string(frame.index) + ": ",
+      [&](const std::string& pointer, const std::string& text) { return describe_fault(document, pointer, text); },
+      [&] {
+        try {
+          work();
+        } catch (const DocumentError& e) {
+          throw Placed(status::bad_input, describe_at(frame, e.place(), e.pointer(), e.text()));
+        }
+      });
+}
 
 /// Says which triangles are which elements, in a few lines or not at all.
 void say_numbers(const ToolOptions& options, const Frame& frame, const TagRuns& elements) {
@@ -73,24 +77,28 @@ void say_numbers(const ToolOptions& options, const Frame& frame, const TagRuns& 
 
 void use_msh(const ToolOptions& options, const MshOptions& msh, std::string_view bytes, const Frame& frame,
              const std::function<void(MshImport&&, const Frame&)>& use) {
-  try {
-    MshImport import = read_msh(bytes, msh);
-    for (const std::string& text : import.warnings) say(options, frame.source + ": " + text);
-    if (options.verbose) say_numbers(options, frame, import.elements);
-    use(std::move(import), frame);
-  } catch (const BadMesh& e) {
-    std::string text;
-    for (const Fault& fault : e.faults())
-      text += (text.empty() ? "" : "\n") + frame.source + ": " + at_pointer(fault.place, fault.text);
-    throw Placed(status::bad_input, text);
-  } catch (const InputError& e) {
-    throw Placed(status::bad_input, frame.source + ": " + at_pointer(e.pointer(), e.what()));
-  } catch (const NoResult& e) {
-    throw Placed(status::no_result, frame.source + ": " + e.what());
-  }
+  const std::string opening = frame.source + ": ";
+  with_source(
+      opening, [&](const std::string& pointer, const std::string& text) { return opening + at_pointer(pointer, text); },
+      [&] {
+        MshImport import = read_msh(bytes, msh);
+        for (const std::string& text : import.warnings) say(options, opening + text);
+        if (options.verbose) say_numbers(options, frame, import.elements);
+        use(std::move(import), frame);
+      });
 }
 
 }  // namespace
+
+void InputCloser::operator()(std::FILE* file) const {
+  if (file != stdin) std::fclose(file);
+}
+
+InputFile open_input(const std::string& path) {
+  InputFile file(path == "-" ? stdin : std::fopen(path.c_str(), "rb"));
+  if (file == nullptr) throw std::system_error(errno, std::generic_category(), path);
+  return file;
+}
 
 std::string describe_internal_error(const std::string& text) {
   return "internal error: " + text + "; please report it, with the command and its input";
@@ -98,15 +106,10 @@ std::string describe_internal_error(const std::string& text) {
 
 void for_each_document(const ToolOptions& options, FileKind kind, const std::function<void(InputDocument&)>& use,
                        const std::function<void(std::string_view bytes, const Frame&)>& use_msh_file) {
-  std::unique_ptr<std::FILE, Closer> file;
   Frame frame;
-  frame.source = "standard input";
-  if (options.input != "-") {
-    frame.source = options.input;
-    file.reset(std::fopen(options.input.c_str(), "rb"));
-    if (file == nullptr) throw std::system_error(errno, std::generic_category(), options.input);
-  }
-  DocumentStream stream(file == nullptr ? stdin : file.get(), frame.source);
+  frame.source = options.input == "-" ? "standard input" : options.input;
+  const InputFile file = open_input(options.input);
+  DocumentStream stream(file.get(), frame.source);
   if (use_msh_file) {
     const std::string_view bytes = stream.all_if("$");
     if (!bytes.empty()) return use_msh_file(bytes, frame);

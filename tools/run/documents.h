@@ -1,6 +1,8 @@
 // tools/run/documents.h: the documents of the input, one after the other, and faults with their places.
 #pragma once
+#include <cstdio>
 #include <functional>
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -31,6 +33,13 @@ inline constexpr std::string_view out_of_memory =
 
 /// The words for an exception that nobody expects, which is a fault of the program (status 6).
 std::string describe_internal_error(const std::string& text);
+
+struct InputCloser {
+  void operator()(std::FILE* file) const;  ///< not standard input
+};
+using InputFile = std::unique_ptr<std::FILE, InputCloser>;
+/// Opens a file to read it; "-" is standard input.   Throws      std::system_error with the path
+InputFile open_input(const std::string& path);
 
 /// Calls `use` with every document of the input. What it throws comes out as a Placed, but for UsageError and
 /// std::system_error. A file that begins as MSH files do goes to `use_msh_file`, if there is one, as a whole.

@@ -6,6 +6,8 @@
 #include <array>
 
 #include "formats/document/history.h"
+#include "formats/document/utf8.h"
+#include "run/exit_status.h"
 
 namespace pliant {
 namespace {
@@ -47,7 +49,10 @@ std::vector<std::string> options_that_count(const CLI::App& app) {
 }
 
 void record(const ToolOptions& options, ExtraMembers& extra) {
-  if (options.history) add_history(extra, {options.tool, PLIANT_VERSION, options.given});
+  if (!options.history) return;
+  for (const std::string& text : options.given)
+    if (find_no_utf8(text) != nullptr) throw UsageError("the history takes UTF-8 only, and '" + text + "' is not");
+  add_history(extra, {options.tool, PLIANT_VERSION, options.given});
 }
 
 }  // namespace pliant

@@ -18,7 +18,8 @@ std::vector<std::string> options_that_count(const CLI::App& app);
 
 /// Adds the tool with its options to the history of the document with these members, if --history is given.
 ///
-/// Throws      InputError if the document has a member `history` of another kind
+/// Throws      InputError if the document has a member `history` of another kind; UsageError for an option that
+///             is not UTF-8, which the name of a file need not be
 void record(const ToolOptions& options, ExtraMembers& extra);
 
 }  // namespace pliant

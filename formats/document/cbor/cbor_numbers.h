@@ -6,9 +6,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
-#include <iterator>
 #include <limits>
 #include <type_traits>
+#include <utility>
 
 namespace pliant {
 
@@ -100,27 +100,19 @@ bool with_typed_numbers(int tag, Use use) {
   }
 }
 
-/// Can the number be an integer of 32 bits, or, for doubles, is it finite?
+/// Can the number be an integer of 32 bits, or, for doubles, is it finite? The least integer, -2^31, cannot: as in
+/// JSON, a number fits if its negative does.
 template <class Scalar, class Value>
 bool fits(Value value) {
-  if constexpr (std::is_same_v<Scalar, double>) {
-    if constexpr (std::is_floating_point_v<Value>)
-      return std::isfinite(value);
-    else
-      return true;
-  } else {
-    if constexpr (std::is_floating_point_v<Value>)
-      return std::abs(static_cast<double>(value)) <= std::numeric_limits<std::int32_t>::max() &&
-             value == std::floor(value);
-    else
-      return value <= static_cast<std::int64_t>(std::numeric_limits<std::int32_t>::max()) &&
-             static_cast<std::int64_t>(value) >= -static_cast<std::int64_t>(std::numeric_limits<std::int32_t>::max());
-  }
-}
-template <class Scalar>
-bool fits(std::uint64_t value) {
-  return std::is_same_v<Scalar, double> ||
-         value <= static_cast<std::uint64_t>(std::numeric_limits<std::int32_t>::max());
+  constexpr std::int32_t most = std::numeric_limits<std::int32_t>::max();
+  if constexpr (std::is_same_v<Scalar, double> && std::is_floating_point_v<Value>)
+    return std::isfinite(value);
+  else if constexpr (std::is_same_v<Scalar, double>)
+    return true;
+  else if constexpr (std::is_floating_point_v<Value>)
+    return std::abs(static_cast<double>(value)) <= most && value == std::floor(value);
+  else
+    return std::cmp_less_equal(value, most) && std::cmp_greater_equal(value, -most);
 }
 
 }  // namespace pliant

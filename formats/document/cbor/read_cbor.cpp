@@ -62,6 +62,7 @@ std::string CborReader::found() const {
 // -- heads and tags
 
 CborHead CborReader::head(const char* what) const {
+  if (element_ != 0) fault(std::string(what) + ", " + found());  // the bytes here are a number without a head
   const auto head = read_cbor_head({at_, static_cast<std::size_t>(end_ - at_)});
   if (!head) fault(std::string(what) + ", " + found());
   if (head->is_wrong()) fault("is no CBOR: the first byte of an item cannot be this one");
@@ -82,8 +83,9 @@ void CborReader::pass_tags() {
 }
 
 bool CborReader::is_at_typed() const {
+  if (element_ != 0) return false;
   const auto tag = read_cbor_head({at_, static_cast<std::size_t>(end_ - at_)});
-  return element_ == 0 && tag && tag->major == tag_major && is_typed_array(tag->value);
+  return tag && tag->major == tag_major && is_typed_array(tag->value);
 }
 
 CborReader::Typed CborReader::take_typed(const char* what) {
@@ -134,16 +136,15 @@ void CborReader::require_depth() const {
 void CborReader::open_object(Container& object) {
   pass_tags();
   const CborHead map = head("should be an object");
-  if (element_ != 0 || map.major != map_major) fault("should be an object, " + found());
+  if (map.major != map_major) fault("should be an object, " + found());
   require_depth();
-  object.left = map.is_indefinite() ? std::numeric_limits<std::uint64_t>::max() : map.value;
-  object.is_first = map.is_indefinite();
+  object.left = map.value;
+  object.is_indefinite = map.is_indefinite();
   at_ += map.size;
 }
 
 bool CborReader::is_at_end_of(Container& container) {
-  const bool is_indefinite = container.is_first;
-  if (!is_indefinite) return container.left-- == 0;
+  if (!container.is_indefinite) return container.left-- == 0;
   if (at_ == end_) fault("should go on or end, but the document ends");
   if (*at_ != '\xFF') return false;
   ++at_;
@@ -169,10 +170,10 @@ void CborReader::open_array(Container& array) {
     return;
   }
   const CborHead head = this->head("should be an array");
-  if (element_ != 0 || head.major != array_major) fault("should be an array, " + found());
+  if (head.major != array_major) fault("should be an array, " + found());
   require_depth();
-  array.left = head.is_indefinite() ? std::numeric_limits<std::uint64_t>::max() : head.value;
-  array.is_first = head.is_indefinite();
+  array.left = head.value;
+  array.is_indefinite = head.is_indefinite();
   at_ += head.size;
 }
 
@@ -220,7 +221,7 @@ std::string_view CborReader::text(const char* what) {
   pass_tags();
   const char* const start = at_;
   const CborHead first = head(what);
-  if (element_ != 0 || first.major != text_string) fault(std::string(what) + ", " + found());
+  if (first.major != text_string) fault(std::string(what) + ", " + found());
   at_ += first.size;
   const auto take = [&](std::uint64_t size) {
     if (size > static_cast<std::uint64_t>(end_ - at_)) fail_at(start, "a string should go on, but the document ends");

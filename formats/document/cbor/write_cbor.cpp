@@ -3,19 +3,12 @@
 
 #include <algorithm>
 #include <bit>
-#include <cmath>
-#include <stdexcept>
 
 namespace pliant {
 namespace {
 
 constexpr int unsigned_integer = 0, negative_integer = 1, bytes_major = 2, text_major = 3, tag_major = 6;
 constexpr int uint32_le = 70, sint32_le = 78, float64_le = 86;
-
-void require_finite(const double* values, std::size_t count) {
-  if (!std::all_of(values, values + count, [](double value) { return std::isfinite(value); }))
-    throw std::domain_error("a number of the result is not finite");
-}
 
 void append_big_endian(std::string& out, std::uint64_t value, int bytes) {
   for (int shift = 8 * (bytes - 1); shift >= 0; shift -= 8) out += static_cast<char>(value >> shift & 0xFF);
@@ -32,7 +25,7 @@ void CborWriter::head(int major, std::uint64_t value) {
 }
 
 CborWriter& CborWriter::value(double number) {
-  require_finite(&number, 1);
+  require_finite({&number, 1});
   out_ += '\xFB';
   append_big_endian(out_, std::bit_cast<std::uint64_t>(number), 8);
   return *this;
@@ -78,7 +71,7 @@ CborWriter& CborWriter::typed(int tag, const void* bytes, std::size_t size, std:
 }
 
 CborWriter& CborWriter::numbers(std::span<const double> values) {
-  require_finite(values.data(), values.size());
+  require_finite(values);
   return typed(float64_le, values.data(), values.size_bytes(), sizeof(double));
 }
 
@@ -89,7 +82,7 @@ CborWriter& CborWriter::integers(std::span<const std::int32_t> values) {
 
 CborWriter& CborWriter::points(std::span<const Point> points) {
   static_assert(sizeof(Point) == 2 * sizeof(double), "x and y, and nothing else");
-  for (const Point& p : points) require_finite(&p.x, 1), require_finite(&p.y, 1);
+  for (const Point& p : points) require_finite(std::array{p.x, p.y});
   return typed(float64_le, points.data(), points.size_bytes(), sizeof(double));
 }
 

@@ -60,6 +60,17 @@ if has_tool bspline2mesh && has_tool refine && has_tool import-svg && has_tool e
   run 0 evolve --add-history --step step --steps 3 --every 1 disk-mesh.json
   same out three.jsonl
   [ "$(entries run.jsonl | sort -u | wc -l)" = 1 ] || fail 'a resumed run has another history'
+  sed '1s/^{/{"history":7,/' disk-mesh.json >strange.json
+  run 3 evolve --add-history "$step" --steps 1 strange.json
+  says 'evolve: strange.json:1: frame 0: /history: is no array'
+
+  # Texts of the command line that a document cannot hold; names of files are any bytes.
+  bspline2mesh --no-refine --field velocity=1,0 "$examples/disk.json" >$'\xe9.json'
+  run 0 advect --dt 0.01 --flow $'\xe9.json' disk-mesh.json
+  run 2 advect --history --dt 0.01 --flow $'\xe9.json' disk-mesh.json
+  says 'the history takes UTF-8 only'
+  run 2 bspline2mesh --no-refine --field $'\xe9=1' "$examples/disk.json"
+  says 'the name is not UTF-8'
 fi
 
 if has_tool qualityreport; then
