@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <set>
 
+#include "formats/document/utf8.h"
 #include "formats/msh/msh_fields.h"
 #include "formats/msh/msh_mesh.h"
 #include "pliant/geometry/index.h"
@@ -254,33 +255,10 @@ class Import {
   std::size_t turned_ = 0;
 };
 
-/// The length of the UTF-8 sequence that starts here; 0 if none does.
-std::size_t utf8_length(std::string_view text) {
-  const auto byte = [&](std::size_t k) { return static_cast<unsigned char>(text[k]); };
-  const unsigned char first = byte(0);
-  const std::size_t length = first < 0x80                    ? 1
-                             : first >= 0xc2 && first < 0xe0 ? 2
-                             : first >= 0xe0 && first < 0xf0 ? 3
-                             : first >= 0xf0 && first < 0xf5 ? 4
-                                                             : 0;
-  if (length == 0 || length > text.size()) return 0;
-  for (std::size_t k = 1; k < length; ++k)
-    if ((byte(k) & 0xc0) != 0x80) return 0;
-  if ((first == 0xe0 && byte(1) < 0xa0) || (first == 0xed && byte(1) > 0x9f) || (first == 0xf0 && byte(1) < 0x90) ||
-      (first == 0xf4 && byte(1) > 0x8f))
-    return 0;
-  return length;
-}
-
 }  // namespace
 
 std::string msh_name(const std::string& bytes) {
-  bool is_utf8 = true;
-  for (std::size_t k = 0, step = 1; k < bytes.size() && is_utf8; k += step) {
-    step = utf8_length(std::string_view(bytes).substr(k));
-    is_utf8 = step > 0;
-  }
-  if (is_utf8) return bytes;
+  if (find_no_utf8(bytes) == nullptr) return bytes;
   std::string text;
   for (const char c : bytes) {
     const auto byte = static_cast<unsigned char>(c);

@@ -104,9 +104,7 @@ class FieldWriter {
     std::string quoted = msh_quoted(name);
     for (int k = 2; !names_.insert(quoted).second; ++k) {
       const std::string suffix = " (" + std::to_string(k) + ")";
-      quoted = msh_quoted(name);
-      // Behind a long name, the suffix takes the place of its end.
-      if (msh_quoted(name + suffix) == quoted) quoted = msh_quoted(name.substr(0, 100));
+      quoted = msh_quoted(name, msh_longest_name - suffix.size());
       quoted.insert(quoted.size() - 1, suffix);
     }
     return quoted;
@@ -171,9 +169,8 @@ class FieldWriter {
 
 }  // namespace
 
-std::string msh_quoted(std::string name) {
-  // Gmsh reads no more bytes, and ends a name at a quote and at the end of the line.
-  constexpr std::size_t longest = 127;
+std::string msh_quoted(std::string name, std::size_t longest) {
+  // Gmsh ends a name at a quote and at the end of the line.
   for (char& c : name) {
     if (static_cast<unsigned char>(c) < ' ') c = ' ';
     if (c == '"') c = '\'';

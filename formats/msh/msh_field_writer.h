@@ -1,5 +1,6 @@
 // formats/msh/msh_field_writer.h: writes the fields of a mesh as sections $NodeData and $ElementNodeData.
 #pragma once
+#include <string>
 #include <vector>
 
 #include "formats/msh/msh_rows.h"
@@ -16,7 +17,9 @@ namespace pliant {
 void write_msh_fields(const MeshData& mesh, const std::vector<int>& order, const std::vector<char>& used,
                       MshRows& rows);
 
-/// A name as the format has it: in double quotes, without control characters, cut to what Gmsh reads.
-std::string msh_quoted(std::string name);
+/// How many bytes of a name Gmsh reads.
+inline constexpr std::size_t msh_longest_name = 127;
+/// A name as the format has it: in double quotes, without control characters, cut to `longest` bytes.
+std::string msh_quoted(std::string name, std::size_t longest = msh_longest_name);
 
 }  // namespace pliant

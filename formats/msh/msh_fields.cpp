@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <map>
 #include <optional>
 #include <set>
 
@@ -91,7 +92,7 @@ class ViewReader {
       throw LeftOut{"it has " + std::to_string(entries) + " entries for " + std::to_string(wanted) +
                     (is_nodal ? " nodes of triangles" : " triangles")};
     MshNodalField field(mesh_, first.components);
-    MshBasis basis(mesh_.degree, scheme);
+    MshBasis& basis = bases_.try_emplace(scheme, mesh_.degree, scheme).first->second;
     is_nodal ? read_nodal(sections, scheme != nullptr, basis, field) : read_elements(sections, basis, field);
     const auto& jump = field.jump_inside_face();
     if (!field.is_rounding(jump.size))
@@ -234,7 +235,8 @@ class ViewReader {
   const MeshData& mesh_;
   TriangleTags triangles_;
   std::size_t size_;
-  std::vector<PointId> used_;  ///< the nodes of the file that triangles have
+  std::vector<PointId> used_;                   ///< the nodes of the file that triangles have
+  std::map<const MshScheme*, MshBasis> bases_;  ///< each scheme's, which costs more than a small view's values
 };
 
 /// Words of the third string tag that export-msh writes.

@@ -223,8 +223,11 @@ std::vector<double> ticks(const ValueRange& range, int count) {
       break;
     }
   std::vector<double> result;
-  // A range that is a few units in the last place wide has no round numbers: both ends then.
-  if (!(step > 0) || range.low + step == range.low) return {range.low, range.high};
+  // A range that is a few units in the last place wide has no round numbers: both ends then. Beyond 2^53 steps from
+  // zero, ++k would not change k.
+  constexpr double most_steps = 0x1p50;
+  if (!(step > 0) || !(std::max(std::abs(range.low), std::abs(range.high)) / step < most_steps))
+    return {range.low, range.high};
   for (double k = std::ceil(range.low / step - 1e-9); k * step <= range.high + 1e-9 * step; ++k)
     result.push_back(k * step);
   return result;

@@ -3,27 +3,20 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <cstdint>
+
+#include "formats/document/utf8.h"
 
 namespace pliant {
 namespace {
 
 /// How many bytes the character at the start of a text takes; 0 if it is no UTF-8, or none of XML's characters.
 std::size_t character_size(std::string_view text) {
-  const auto byte = [&](std::size_t k) { return static_cast<unsigned char>(text[k]); };
-  const unsigned first = byte(0);
+  const auto first = static_cast<unsigned char>(text[0]);
   if (first < 0x80) return first >= 0x20 || first == '\t' || first == '\n' || first == '\r' ? 1 : 0;
-  const std::size_t size = first >= 0xf0 ? 4 : first >= 0xe0 ? 3 : 2;
-  if (first < 0xc2 || first > 0xf4 || text.size() < size) return 0;
-  std::uint32_t code = first & (0xffU >> (size + 1));
-  for (std::size_t k = 1; k < size; ++k) {
-    if ((byte(k) & 0xc0) != 0x80) return 0;
-    code = code << 6 | (byte(k) & 0x3f);
-  }
-  constexpr std::uint32_t least[] = {0, 0, 0x80, 0x800, 0x10000};
-  const bool is_character =
-      code >= least[size] && code <= 0x10ffff && !(code >= 0xd800 && code < 0xe000) && code != 0xfffe && code != 0xffff;
-  return is_character ? size : 0;
+  const char* const next = skip_utf8(text.data(), text.data() + text.size());
+  // U+FFFE and U+FFFF are UTF-8, but no characters.
+  if (next == nullptr || text.starts_with("\xEF\xBF\xBE") || text.starts_with("\xEF\xBF\xBF")) return 0;
+  return static_cast<std::size_t>(next - text.data());
 }
 
 }  // namespace

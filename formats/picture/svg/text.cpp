@@ -6,6 +6,8 @@
 #include <charconv>
 #include <cmath>
 
+#include "formats/document/utf8.h"
+
 namespace pliant {
 namespace {
 
@@ -24,19 +26,14 @@ struct Character {
   char32_t code;
 };
 Character character_at(std::string_view text, std::size_t at) {
-  const auto byte = [&](std::size_t k) { return static_cast<unsigned char>(text[k]); };
-  const unsigned char first = byte(at);
+  const char* const p = text.data() + at;
+  const auto first = static_cast<unsigned char>(*p);
   if (first < 0x80) return {1, first};
-  const std::size_t bytes = first >= 0xF0 ? 4 : first >= 0xE0 ? 3 : 2;
-  if (first < 0xC2 || first > 0xF4 || at + bytes > text.size()) return {1, 0};
-  char32_t code = first & (0x7Fu >> bytes);
-  for (std::size_t k = 1; k < bytes; ++k) {
-    if ((byte(at + k) & 0xC0) != 0x80) return {1, 0};
-    code = code << 6 | (byte(at + k) & 0x3F);
-  }
-  const bool overlong = (bytes == 3 && code < 0x800) || (bytes == 4 && code < 0x10000);
-  if (overlong || code > 0x10FFFF || (code >= 0xD800 && code < 0xE000)) return {1, 0};
-  return {bytes, code};
+  const char* const next = skip_utf8(p, text.data() + text.size());
+  if (next == nullptr) return {1, 0};
+  char32_t code = first & (0x7Fu >> (next - p));
+  for (const char* more = p + 1; more != next; ++more) code = code << 6 | (static_cast<unsigned char>(*more) & 0x3F);
+  return {static_cast<std::size_t>(next - p), code};
 }
 
 double character_width(char32_t code) {

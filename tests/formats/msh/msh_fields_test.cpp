@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <map>
+#include <set>
 
 #include "formats/msh/msh.h"
 #include "formats/msh/msh_writer.h"
@@ -156,4 +157,21 @@ TEST_CASE("fields of other numbers of components are a view for each component",
     for (const double value : import.mesh.fields[c].values) CHECK(value == double(c));
   mesh.fields[0].name = "short";
   CHECK(read_msh(written(mesh, {})).mesh.fields[3].name == "short 4");
+}
+
+TEST_CASE("views of names that are equal in MSH get numbers, within what Gmsh reads of a name", "[msh]") {
+  const std::size_t length = GENERATE(range<std::size_t>(120, 130));
+  MeshData mesh = with_fields(samples::one_cell(2), 2);
+  const Field field = mesh.fields[0];
+  mesh.fields.clear();
+  for (const char* end : {"\1", "\2", "\3"}) {
+    mesh.fields.push_back(field);
+    mesh.fields.back().name = std::string(length - 1, 'n') + end;
+  }
+  std::set<std::string> names;
+  for (const Field& read : read_msh(written(mesh, {})).mesh.fields) {
+    CHECK(read.name.size() <= 127);
+    names.insert(read.name);
+  }
+  CHECK(names.size() == 3);
 }

@@ -324,4 +324,14 @@ TEST_CASE("ticks are round, within the range, and about as many as asked for", "
   }
 }
 
+TEST_CASE("a range that is hardly wider than rounding has few ticks", "[formats][svg]") {
+  const double low = GENERATE(0.12, 1.99, 60.0, -120.0);
+  const int steps = GENERATE(range(1, 8));
+  const int count = GENERATE(range(2, 7));
+  CAPTURE(low, steps, count);
+  ValueRange range{low, low};
+  for (int k = 0; k < steps; ++k) range.high = std::nextafter(range.high, HUGE_VAL);
+  CHECK(ticks(range, count).size() <= 9);
+}
+
 }  // namespace pliant
