@@ -80,6 +80,8 @@ TEST_CASE("dashes paint their lengths, from the offset on, and through the start
   CHECK(painted("<line x2='8' stroke-width='1' stroke-linecap='round' stroke-dasharray='0 2' "
                 "stroke-dashoffset='-1'/>") == Approx(pi).epsilon(1e-5));
   CHECK_THROWS_WITH(painted("<line x2='1e9' stroke-dasharray='1e-3'/>"), Catch::Contains("dashes"));
+  // The dashes of all subpaths count: 90,000 are read, twice as many are not.
+  CHECK_THROWS_WITH(painted("<path d='M0 0h9000M0 9h9000' stroke-dasharray='.1'/>"), Catch::Contains("100000 dashes"));
 }
 
 TEST_CASE("a stroke with round joins and caps paints what is within half its width of the path", "[svg][strokes]") {
