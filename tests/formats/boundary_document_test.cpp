@@ -5,9 +5,11 @@
 
 #include "formats/document/mesh_document.h"
 #include "support/carried_members.h"
+#include "support/document_texts.h"
 #include "support/triangles.h"
 
 using namespace pliant;
+using samples::edited, samples::text_of;
 
 namespace {
 
@@ -26,32 +28,14 @@ const std::string& document() {
   return text;
 }
 
-std::string written(const BoundaryComplex& boundary) {
-  std::string text;
-  write_boundary(boundary, text);
-  return text;
-}
-
-std::string edited(std::string text, const std::string& from, const std::string& to) {
-  const std::size_t at = text.find(from);
-  REQUIRE(at != std::string::npos);
-  return text.replace(at, from.size(), to);
-}
-
 std::string fault_place(const std::string& text) {
-  try {
-    read_boundary(text);
-  } catch (const InputError& e) {
-    CHECK(std::string(e.what()).size() > 10);
-    return e.pointer();
-  }
-  return "accepted";
+  return samples::fault_place([&] { read_boundary(text); });
 }
 
 }  // namespace
 
 TEST_CASE("a boundary that is read and written is the same, byte for byte", "[formats]") {
-  CHECK(written(read_boundary(document())) == document());
+  CHECK(text_of(read_boundary(document())) == document());
 }
 
 TEST_CASE("the members of a boundary document mean what the page says", "[formats]") {
@@ -134,8 +118,8 @@ TEST_CASE("a mutilated boundary is read or refused", "[formats][property]") {
         text.erase(at, static_cast<std::size_t>(random.integer(1, 5)));
     }
     try {
-      const std::string again = written(read_boundary(text));
-      CHECK(written(read_boundary(again)) == again);
+      const std::string again = text_of(read_boundary(text));
+      CHECK(text_of(read_boundary(again)) == again);
     } catch (const InputError&) {
     }
   }

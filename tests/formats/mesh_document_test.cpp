@@ -10,18 +10,14 @@
 #include "formats/document/read_json.h"
 #include "pliant/mesh/check_mesh.h"
 #include "support/carried_members.h"
+#include "support/document_texts.h"
 #include "support/sample_meshes.h"
 #include "support/triangles.h"
 
 using namespace pliant;
+using samples::edited, samples::text_of;
 
 namespace {
-
-std::string written(const MeshData& data) {
-  std::string text;
-  write_mesh(data, text);
-  return text;
-}
 
 /// A mesh that has one of everything.
 MeshData rich_mesh(int degree) {
@@ -59,24 +55,6 @@ MeshData rich_mesh(int degree) {
   return data;
 }
 
-/// The document with the first occurrence of `from` replaced.
-std::string edited(std::string text, const std::string& from, const std::string& to) {
-  const std::size_t at = text.find(from);
-  REQUIRE(at != std::string::npos);
-  return text.replace(at, from.size(), to);
-}
-
-/// The pointer of the fault; "accepted" if there is none.
-std::string fault_place(const std::string& text) {
-  try {
-    read_mesh(text);
-  } catch (const InputError& e) {
-    CHECK(std::string(e.what()).size() > 10);
-    return e.pointer();
-  }
-  return "accepted";
-}
-
 /// Two triangles, one cell, small enough to read.
 const std::string& small_document() {
   static const std::string text =
@@ -92,25 +70,29 @@ const std::string& small_document() {
   return text;
 }
 
+std::string fault_place(const std::string& text) {
+  return samples::fault_place([&] { read_mesh(text); });
+}
+
 }  // namespace
 
 TEST_CASE("a mesh that is written, read and written again is the same, byte for byte", "[formats]") {
   const int degree = GENERATE(range(1, 6));
-  const std::string first = written(rich_mesh(degree));
+  const std::string first = text_of(rich_mesh(degree));
   CHECK(std::count(first.begin(), first.end(), '\n') == 1);
   CHECK(first.back() == '\n');
   const MeshData data = read_mesh(first);
-  CHECK(written(data) == first);
+  CHECK(text_of(data) == first);
   CHECK(check_structure(data).size() == check_structure(rich_mesh(degree)).size());
 }
 
 TEST_CASE("the members of a mesh have one order", "[formats]") {
-  CHECK(written(read_mesh(small_document())) == small_document());
+  CHECK(text_of(read_mesh(small_document())) == small_document());
 }
 
 TEST_CASE("what is read is what was written", "[formats]") {
   const MeshData a = rich_mesh(3);
-  const MeshData b = read_mesh(written(a));
+  const MeshData b = read_mesh(text_of(a));
   CHECK(a.degree == b.degree);
   CHECK(a.time == b.time);
   CHECK(a.points == b.points);
@@ -149,18 +131,18 @@ TEST_CASE("white space, the order of members and members left out do not matter"
     spaced += c;
     if (c == ',' || c == '{' || c == '[' || c == ':') spaced += "\r\n \t";
   }
-  CHECK(written(read_mesh(spaced)) == small_document());
+  CHECK(text_of(read_mesh(spaced)) == small_document());
 
   const std::string head = R"("format":"pliant-mesh","version":1,"degree":1,)";
   std::string turned = edited(small_document(), head, "");
   turned.resize(turned.size() - 2);
-  CHECK(written(read_mesh(turned + "," + head.substr(0, head.size() - 1) + "}")) == small_document());
+  CHECK(text_of(read_mesh(turned + "," + head.substr(0, head.size() - 1) + "}")) == small_document());
 
   std::string brief = edited(small_document(), R"("components":1,"by_face":false,)", "");
   brief = edited(brief, R"(,"start":null,"end":null)", "");
   brief = edited(brief, R"(,"right":null,"removal_error":0)", "");
   brief = edited(brief, R"(,"cusps":[])", "");
-  CHECK(written(read_mesh(brief)) == small_document());
+  CHECK(text_of(read_mesh(brief)) == small_document());
   const std::string bare = edited(edited(brief, R"(,"criteria":{"max_area":2})", ""), R"("time":0.5,)", "");
   CHECK(read_mesh(bare).time == 0);
   CHECK_FALSE(read_mesh(bare).criteria.max_area.has_value());
@@ -172,7 +154,7 @@ TEST_CASE("unknown members are kept, behind the known ones, without their white 
   REQUIRE(data.extra.size() == 1);
   CHECK(data.extra[0].first == "new");
   CHECK(write_value(*data.extra[0].second) == R"({"a b":[1]})");
-  CHECK(written(data).ends_with(R"("criteria":{"max_area":2},"new":{"a b":[1]}})"
+  CHECK(text_of(data).ends_with(R"("criteria":{"max_area":2},"new":{"a b":[1]}})"
                                 "\n"));
 }
 
@@ -200,17 +182,17 @@ TEST_CASE("the numbers of unknown members are rewritten once, and then stay as t
   }));
   CAPTURE(given);
   const std::string text = edited(small_document(), R"("degree":1)", "\"new\":[{\"n\":" + given + "}],\"degree\":1");
-  const std::string first = written(read_mesh(text));
+  const std::string first = text_of(read_mesh(text));
   CHECK(first.ends_with(",\"new\":[{\"n\":" + kept + "}]}\n"));
-  CHECK(written(read_mesh(first)) == first);
-  CHECK(written(read_mesh(written(Mesh(read_mesh(first)).to_data()))) == first);
+  CHECK(text_of(read_mesh(first)) == first);
+  CHECK(text_of(read_mesh(text_of(Mesh(read_mesh(first)).to_data()))) == first);
 }
 
 TEST_CASE("unknown members keep their order and their strings, at any length and depth that is read", "[formats]") {
   const auto kept = [](const std::string& value) {
     const std::string first =
-        written(read_mesh(edited(small_document(), R"("degree":1)", "\"new\":" + value + ",\"degree\":1")));
-    CHECK(written(read_mesh(first)) == first);
+        text_of(read_mesh(edited(small_document(), R"("degree":1)", "\"new\":" + value + ",\"degree\":1")));
+    CHECK(text_of(read_mesh(first)) == first);
     const std::size_t from = first.find(",\"new\":") + 7;
     return first.substr(from, first.size() - from - 2);
   };
@@ -300,14 +282,14 @@ TEST_CASE("each fault of a mesh document is named by its place", "[formats]") {
 TEST_CASE("a boundary inside a mesh may carry its own format and version", "[formats]") {
   const std::string text =
       edited(small_document(), "\"boundary\":{", "\"boundary\":{\"format\":\"pliant-boundary\",\"version\":1,");
-  CHECK(written(read_mesh(text)) == small_document());
+  CHECK(text_of(read_mesh(text)) == small_document());
 }
 
 TEST_CASE("a mutilated document is read or refused, and what is read is written stably", "[formats][property]") {
   const int seed = GENERATE(range(0, 20));
   CAPTURE(seed);
   samples::Random random(seed);
-  const std::string whole = seed % 2 == 0 ? small_document() : written(rich_mesh(1 + seed % 4));
+  const std::string whole = seed % 2 == 0 ? small_document() : text_of(rich_mesh(1 + seed % 4));
   const auto at_random = [&](std::size_t size) {
     return static_cast<std::size_t>(random.integer(0, static_cast<int>(size) - 1));
   };
@@ -328,8 +310,8 @@ TEST_CASE("a mutilated document is read or refused, and what is read is written 
         text.insert(at, whole, at_random(whole.size()), static_cast<std::size_t>(random.integer(1, 20)));
     }
     try {
-      const std::string again = written(read_mesh(text));
-      CHECK(written(read_mesh(again)) == again);
+      const std::string again = text_of(read_mesh(text));
+      CHECK(text_of(read_mesh(again)) == again);
       ++read;
     } catch (const InputError&) {
     }

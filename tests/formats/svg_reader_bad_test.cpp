@@ -5,8 +5,10 @@
 
 #include "formats/svg_import/svg_reader.h"
 #include "pliant/boundary/check_boundary.h"
+#include "support/refusals.h"
 
 using namespace pliant;
+using samples::check_none, samples::Outcomes;
 
 namespace {
 
@@ -185,7 +187,7 @@ TEST_CASE("whatever is done to a drawing, it is a boundary or bad input", "[svg]
                                                  "<g>", "</g>", "c1 1 1 1 1 1", "t",    "0 0 0 0 0", "."};
   std::mt19937_64 random(7);
   const auto below = [&random](std::size_t n) { return static_cast<std::size_t>(random() % n); };
-  int taken = 0, refused = 0;
+  Outcomes outcomes;
   for (int k = 0; k < 20000; ++k) {
     std::string bad = good;
     for (std::size_t times = 1 + below(3); times > 0; --times) {
@@ -206,18 +208,12 @@ TEST_CASE("whatever is done to a drawing, it is a boundary or bad input", "[svg]
         }
       }
     }
-    try {
+    outcomes.count([&] {
       const SvgImport import = read_svg(bad, {static_cast<int>(2 + below(2)), 1e-4, k % 8 == 0});
-      const std::vector<Fault> faults = check_boundary(import.boundary);
-      if (!faults.empty()) FAIL_CHECK(faults.front().place << ": " << faults.front().text << "\n" << bad);
-      const std::vector<Fault> geometry = check_boundary_geometry(import.boundary);
-      if (!geometry.empty()) FAIL_CHECK(geometry.front().place << ": " << geometry.front().text << "\n" << bad);
-      ++taken;
-    } catch (const InputError& e) {
-      if (std::string(e.what()).empty()) FAIL_CHECK("a refusal without a word");
-      ++refused;
-    }
+      check_none(check_boundary(import.boundary), bad);
+      check_none(check_boundary_geometry(import.boundary), bad);
+    });
   }
-  CHECK(taken > 500);
-  CHECK(refused > 500);
+  CHECK(outcomes.taken > 500);
+  CHECK(outcomes.refused > 500);
 }

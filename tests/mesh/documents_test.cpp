@@ -6,18 +6,10 @@
 #include "ops/random_operations.h"
 #include "pliant/mesh/check_mesh.h"
 #include "support/carried_members.h"
+#include "support/document_texts.h"
 
 using namespace pliant;
-
-namespace {
-
-std::string text_of(const MeshData& data) {
-  std::string text;
-  write_mesh(data, text);
-  return text;
-}
-
-}  // namespace
+using samples::text_of;
 
 TEST_CASE("compacting equals writing the document and reading it", "[mesh][property]") {
   const int degree = GENERATE(1, 2, 3, 4);

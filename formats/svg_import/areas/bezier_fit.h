@@ -28,8 +28,8 @@ class BezierFit {
   BezierFit(int degree, double tolerance, bool follows_back = false)
       : degree_(degree), tolerance_(tolerance), follows_back_(follows_back) {}
 
-  /// Adds a quadratic curve. One whose control points are on a line becomes that line: a part that runs back on itself
-  /// has no interior.
+  /// Adds a quadratic curve. One whose control points are on a line becomes the line between its ends, since a part
+  /// that runs back on itself has no interior; with `follows_back` it becomes the lines that it follows.
   void add_quadratic(const Point& p, const Point& q, const Point& r, std::vector<Piece>& out);
   /// Adds a cubic curve, exactly at degree 3 unless its derivative vanishes. Otherwise it becomes quadratics that have
   /// its tangents at their ends; their number grows as tolerance^(-1/4).

@@ -22,7 +22,9 @@ Vector left_of(const Vector& v) { return {-v.y, v.x}; }
 /// another loop, in the other direction, has what lies behind them: so all windings have the same sign.
 class Stroker {
  public:
-  Stroker(const StrokeStyle& style, double tolerance) : style_(style), half_(style.width / 2), tolerance_(tolerance) {}
+  Stroker(const StrokeStyle& style, double tolerance) : style_(style), half_(style.width / 2), tolerance_(tolerance) {
+    if (!style_.dashes.empty()) find_first_dash();
+  }
 
   Outline area(const Outline& path) {
     for (const StrokePath& one : stroke_paths(path)) {
@@ -41,7 +43,8 @@ class Stroker {
 
   // ---- The path ----
 
-  /// Parts without a stop inside, and on either side as bent as the half width allows, or more, all along.
+  /// Cuts parts where they stop, and where their radius of curvature is half the width: on each side a part is folded
+  /// all along, or nowhere.
   Parts split(const Parts& parts) const {
     Parts result;
     for (const StrokePart& part : parts) {
@@ -90,6 +93,20 @@ class Stroker {
     add_cap(parts.back().at(parts.back().last()), end_of(parts.back()));
   }
 
+  /// Finds the dash or gap in which every subpath starts, and how much of it is left there.
+  void find_first_dash() {
+    for (const double dash : style_.dashes) period_ += dash;
+    double done = std::fmod(style_.dash_offset, period_);
+    if (done < 0) done += period_;
+    // A dash of no length at the very start is a dot there.
+    const auto is_dot = [&] { return done == 0 && style_.dashes[first_dash_] == 0 && first_dash_ % 2 == 0; };
+    while (done >= style_.dashes[first_dash_] && !is_dot()) {
+      done -= style_.dashes[first_dash_];
+      first_dash_ = (first_dash_ + 1) % style_.dashes.size();
+    }
+    first_left_ = style_.dashes[first_dash_] - done;
+  }
+
   void add_dashes(const StrokePath& path) {
     std::vector<double> lengths;
     double total = 0;
@@ -97,21 +114,12 @@ class Stroker {
       lengths.push_back(part.length(part.first(), part.last()));
       total += lengths.back();
     }
-    double period = 0;
-    for (const double dash : style_.dashes) period += dash;
-    if (!(total / period * static_cast<double>(style_.dashes.size()) <= static_cast<double>(most_dashes)))
+    dashes_ += total / period_ * static_cast<double>(style_.dashes.size());
+    if (!(dashes_ <= static_cast<double>(most_dashes)))
       throw InputError(
           "", "a stroke has more than " + std::to_string(most_dashes) + " dashes; give it longer ones, or none");
-    std::size_t dash = 0;
-    double left = std::fmod(style_.dash_offset, period);
-    if (left < 0) left += period;
-    // A dash of no length at the very start is a dot there.
-    const auto is_dot = [&] { return left == 0 && style_.dashes[dash] == 0 && dash % 2 == 0; };
-    while (left >= style_.dashes[dash] && !is_dot()) {
-      left -= style_.dashes[dash];
-      dash = (dash + 1) % style_.dashes.size();
-    }
-    left = style_.dashes[dash] - left;
+    std::size_t dash = first_dash_;
+    double left = first_left_;
     Parts run, first_run;
     bool starts_on = dash % 2 == 0, is_first = true;
     const auto finish = [&] {
@@ -180,7 +188,7 @@ class Stroker {
   template <class Curve>
   void follow(const Curve& curve, double from, double to, int depth = 0) {
     const Point p = curve(from), q = curve(to);
-    const double d = (to - from);
+    const double d = to - from;
     const auto slope = [&](double t, double inwards) {  // one-sided differences of the fourth order
       const double h = inwards * d / 64;
       return (-25.0 / 12 * curve(t) + 4.0 * curve(t + h) - 3.0 * curve(t + 2 * h) + 4.0 / 3 * curve(t + 3 * h) -
@@ -232,7 +240,8 @@ class Stroker {
       for (const double side : {-1.0, 1.0}) {
         if (part.is_line() || !is_folded(part, side)) continue;
         const double from = part.first(), to = part.last();
-        // Behind the centres the points on the normals run backwards: the left side against the sense of the others.
+        // Behind the centres of curvature the offset curve runs backwards. On the left the loop follows the part
+        // backwards, so that it winds in the same direction as all others.
         const bool backwards = side < 0;
         move(backwards ? offset(part, to, side) : offset(part, from, side));
         follow([&](double t) { return offset(part, t, side); }, backwards ? to : from, backwards ? from : to);
@@ -320,6 +329,9 @@ class Stroker {
 
   const StrokeStyle& style_;
   double half_, tolerance_;
+  double period_ = 0, first_left_ = 0;
+  std::size_t first_dash_ = 0;
+  double dashes_ = 0;  ///< number of dashes and gaps of the subpaths so far
   Outline out_;
   Point at_;
   long offsets_ = 0;

@@ -20,7 +20,7 @@ class StrokePart {
   Point at(double t) const;
   /// The direction, of unit length; at a stop the limit towards the inside.
   Vector tangent(double t) const;
-  /// d/dt of the place, and the curvature: positive where the curve turns to the left.
+  /// The length of the derivative, and the curvature, which is positive where the curve turns to the left.
   double speed(double t) const;
   double curvature(double t) const;
   double length(double from, double to) const;

@@ -11,22 +11,14 @@
 #include "pliant/geometry/index.h"
 #include "pliant/mesh/check_mesh.h"
 #include "pliant/mesh/interpolate_nodes.h"
+#include "support/msh_texts.h"
 #include "support/sample_boundaries.h"
 #include "support/sample_meshes.h"
 
 using namespace pliant;
+using samples::msh_file, samples::written_kinds;
 
 namespace {
-
-using Version = MshWriteOptions::Version;
-const std::vector<MshWriteOptions> kinds = {
-    {Version::v4_1, false}, {Version::v4_1, true}, {Version::v2_2, false}, {Version::v2_2, true}};
-
-std::string written(const MeshData& mesh, const MshWriteOptions& options) {
-  std::string text;
-  write_msh(mesh, options, text);
-  return text;
-}
 
 /// A mesh with continuous fields of 1, 2, 3 and 9 components, and fields by face of 1 and 2, that jump.
 MeshData with_fields(const BoundaryComplex& boundary, int degree) {
@@ -103,9 +95,9 @@ TEST_CASE("fields that are written and read are the same fields", "[msh]") {
   const int degree = GENERATE(range(1, 6));
   for (const auto& boundary : {samples::one_cell(degree), samples::three_cells(degree), samples::interface(degree)}) {
     MeshData mesh = with_fields(boundary, degree);
-    for (const MshWriteOptions& kind : kinds) {
+    for (const MshWriteOptions& kind : written_kinds) {
       CAPTURE(degree, boundary.faces.front().name, kind.version, kind.binary);
-      const MshImport import = read_msh(written(mesh, kind));
+      const MshImport import = read_msh(msh_file(mesh, kind));
       CHECK(import.warnings.empty());
       CHECK(check_structure(import.mesh).empty());
       check_same_fields(mesh, import, 2e-14);
@@ -122,8 +114,8 @@ TEST_CASE("fields of meshes of extreme sizes, and extreme values, come back", "[
       for (Point& p : scaled.points) p = p * unit;
       for (Field& field : scaled.fields)
         for (double& value : field.values) value *= scale;
-      for (const MshWriteOptions& kind : kinds) {
-        const MshImport import = read_msh(written(scaled, kind));
+      for (const MshWriteOptions& kind : written_kinds) {
+        const MshImport import = read_msh(msh_file(scaled, kind));
         CHECK(import.warnings.empty());
         check_same_fields(scaled, import, 2e-14);
       }
@@ -132,7 +124,7 @@ TEST_CASE("fields of meshes of extreme sizes, and extreme values, come back", "[
 
 TEST_CASE("a field of degree ten comes back to the rounding of its nodes", "[msh]") {
   MeshData mesh = with_fields(samples::one_cell(2), 10);
-  for (const MshWriteOptions& kind : kinds) check_same_fields(mesh, read_msh(written(mesh, kind)), 1e-12);
+  for (const MshWriteOptions& kind : written_kinds) check_same_fields(mesh, read_msh(msh_file(mesh, kind)), 1e-12);
 }
 
 TEST_CASE("what is by face stays so, even where it does not jump, and a flat vector keeps its components", "[msh]") {
@@ -140,7 +132,7 @@ TEST_CASE("what is by face stays so, even where it does not jump, and a flat vec
   for (Field& field : mesh.fields)
     for (std::size_t k = 0; k < field.values.size(); ++k)
       field.values[k] = field.components == 3 && k % 3 == 2 ? 0 : 0.5;
-  for (const MshWriteOptions& kind : kinds) check_same_fields(mesh, read_msh(written(mesh, kind)), 0);
+  for (const MshWriteOptions& kind : written_kinds) check_same_fields(mesh, read_msh(msh_file(mesh, kind)), 0);
 }
 
 TEST_CASE("fields of other numbers of components are a view for each component", "[msh]") {
@@ -151,12 +143,12 @@ TEST_CASE("fields of other numbers of components are a view for each component",
   field.values.clear();
   for (std::size_t k = 0; k < 4 * mesh.points.size(); ++k) field.values.push_back(double(k % 4));
   mesh.fields = {field};
-  const MshImport import = read_msh(written(mesh, {}));
+  const MshImport import = read_msh(msh_file(mesh, {}));
   REQUIRE(import.mesh.fields.size() == 4);
   for (std::size_t c = 0; c < 4; ++c)
     for (const double value : import.mesh.fields[c].values) CHECK(value == double(c));
   mesh.fields[0].name = "short";
-  CHECK(read_msh(written(mesh, {})).mesh.fields[3].name == "short 4");
+  CHECK(read_msh(msh_file(mesh, {})).mesh.fields[3].name == "short 4");
 }
 
 TEST_CASE("views of names that are equal in MSH get numbers, within what Gmsh reads of a name", "[msh]") {

@@ -3,9 +3,9 @@
 
 #include <catch2/catch.hpp>
 
-#include "formats/document/mesh_document.h"
 #include "pliant/geometry/index.h"
 #include "pliant/mesh/check_mesh.h"
+#include "support/document_texts.h"
 #include "support/sample_meshes.h"
 #include "tests/formats/msh/msh_sample.h"
 
@@ -13,12 +13,6 @@ using namespace pliant;
 using namespace pliant::samples;
 
 namespace {
-
-std::string as_json(const MeshData& mesh) {
-  std::string text;
-  write_mesh(mesh, text);
-  return text;
-}
 
 /// A disk whose middle is a face of its own.
 MeshData disk_with_core(int degree) {
@@ -83,8 +77,8 @@ TEST_CASE("all kinds of MSH files of one mesh give the same mesh bit for bit", "
   const int degree = GENERATE(1, 2, 3, 5);
   MshSample sample = msh_of(disk_with_core(degree));
   sample.names = {{2, 20, "cell"}, {2, 21, "core \"inner\""}, {1, 10, "rim"}, {1, 99, "nothing"}};
-  const std::string expected = as_json(read_msh(write_msh(sample, msh_kinds[0])).mesh);
-  for (const MshKind& kind : msh_kinds) CHECK(as_json(read_msh(write_msh(sample, kind)).mesh) == expected);
+  const std::string expected = text_of(read_msh(write_msh(sample, msh_kinds[0])).mesh);
+  for (const MshKind& kind : msh_kinds) CHECK(text_of(read_msh(write_msh(sample, kind)).mesh) == expected);
 }
 
 TEST_CASE("physical groups name faces and curves, and edges between faces lie on curves", "[msh]") {
@@ -140,17 +134,17 @@ TEST_CASE("surfaces and curves in no group are named after their tags, equal nam
 
 TEST_CASE("node tags may have gaps, any order and any size; nodes of no triangle are dropped", "[msh]") {
   const MeshData mesh = disk(3);
-  const std::string expected = as_json(read(msh_of(mesh)).mesh);
+  const std::string expected = text_of(read(msh_of(mesh)).mesh);
   const auto n = static_cast<std::int64_t>(mesh.points.size());
-  CHECK(as_json(read(msh_of(mesh, [n](PointId p) { return n - p; })).mesh) == expected);
-  CHECK(as_json(read(msh_of(mesh, [](PointId p) { return 3 * std::int64_t{p} + 100; })).mesh) == expected);
-  CHECK(as_json(read(msh_of(mesh, [](PointId p) { return (std::int64_t{p} * 7919) % 10007 * 1000003; })).mesh) ==
+  CHECK(text_of(read(msh_of(mesh, [n](PointId p) { return n - p; })).mesh) == expected);
+  CHECK(text_of(read(msh_of(mesh, [](PointId p) { return 3 * std::int64_t{p} + 100; })).mesh) == expected);
+  CHECK(text_of(read(msh_of(mesh, [](PointId p) { return (std::int64_t{p} * 7919) % 10007 * 1000003; })).mesh) ==
         expected);
   MshSample sample = msh_of(mesh);
   sample.nodes.insert(sample.nodes.begin() + 3, {100000, 5, 5, 77});
   sample.nodes.push_back({100001, -5, 5, 0});
   const MshImport import = read(sample);
-  CHECK(as_json(import.mesh) == expected);
+  CHECK(text_of(import.mesh) == expected);
   CHECK(import.nodes.tag_of(3) == 4);
   CHECK(import.nodes.size() == mesh.points.size());
 }
@@ -267,13 +261,13 @@ TEST_CASE("what is no triangle or line is counted and named", "[msh]") {
 TEST_CASE("an element in several physical groups counts for the first", "[msh]") {
   MshSample sample = square();
   for (auto& element : sample.elements) element.physical = 3;
-  const std::string once = as_json(read(sample).mesh);
+  const std::string once = text_of(read(sample).mesh);
   for (std::size_t k = 0; k < 2; ++k) {
     sample.elements.push_back(sample.elements[k]);
     sample.elements.back().physical = 8;
   }
   const MshImport import = read_msh(write_msh(sample, {2, false, false}));
-  CHECK(as_json(import.mesh) == once);
+  CHECK(text_of(import.mesh) == once);
   CHECK(import.warnings.size() == 1);
   CHECK(warns(import, "several physical groups"));
   // Elements that are listed twice in the same group are a fault of the mesh.

@@ -2,8 +2,8 @@
 // order.
 #include <catch2/catch.hpp>
 
-#include "formats/document/mesh_document.h"
 #include "formats/msh/msh.h"
+#include "support/document_texts.h"
 #include "support/sample_meshes.h"
 #include "tests/formats/msh/msh_sample.h"
 
@@ -12,11 +12,7 @@ using namespace pliant::samples;
 
 namespace {
 
-std::string as_json(std::string_view bytes) {
-  std::string text;
-  write_mesh(read_msh(bytes).mesh, text);
-  return text;
-}
+std::string as_json(std::string_view bytes) { return text_of(read_msh(bytes).mesh); }
 
 MshSample small_sample() { return msh_of(disk(3, 3)); }
 

@@ -12,22 +12,14 @@
 #include "pliant/generate/mesh_from_boundary.h"
 #include "pliant/geometry/index.h"
 #include "pliant/mesh/check_mesh.h"
+#include "support/msh_texts.h"
 #include "support/sample_boundaries.h"
 #include "support/sample_meshes.h"
 
 using namespace pliant;
+using samples::msh_file, samples::written_kinds;
 
 namespace {
-
-using Version = MshWriteOptions::Version;
-const std::vector<MshWriteOptions> kinds = {
-    {Version::v4_1, false}, {Version::v4_1, true}, {Version::v2_2, false}, {Version::v2_2, true}};
-
-std::string written(const MeshData& mesh, const MshWriteOptions& options) {
-  std::string text;
-  write_msh(mesh, options, text);
-  return text;
-}
 
 MeshData meshed(const BoundaryComplex& boundary, int degree) {
   Mesh mesh;
@@ -53,7 +45,7 @@ Named named(const MeshData& mesh, TriangleNumber&& triangle, PointNumber&& point
 
 /// What is read is what was written, up to its numbering.
 void check_same(const MeshData& mesh, const MshWriteOptions& options, double tolerance) {
-  const MshImport import = read_msh(written(mesh, options));
+  const MshImport import = read_msh(msh_file(mesh, options));
   CHECK(import.warnings.empty());
   CHECK(check_structure(import.mesh).empty());
   const auto point_before = [&](std::size_t p) { return index(import.nodes.tag_of(p) - 1); };
@@ -88,7 +80,7 @@ TEST_CASE("a mesh that is written and read is the same mesh, with its faces and 
   const int degree = GENERATE(range(1, 6));
   for (const auto& boundary :
        {samples::one_cell(degree), samples::annulus(degree), samples::three_cells(degree), samples::interface(degree)})
-    for (const MshWriteOptions& kind : kinds) {
+    for (const MshWriteOptions& kind : written_kinds) {
       CAPTURE(degree, boundary.faces.front().name, kind.version, kind.binary);
       check_same(meshed(boundary, degree), kind, 1e-14);
     }
@@ -96,7 +88,7 @@ TEST_CASE("a mesh that is written and read is the same mesh, with its faces and 
 
 TEST_CASE("orders up to ten are written and read", "[msh]") {
   for (int degree = 1; degree <= max_degree; ++degree)
-    for (const MshWriteOptions& kind : kinds) {
+    for (const MshWriteOptions& kind : written_kinds) {
       CAPTURE(degree, kind.version, kind.binary);
       // Rounding, times the growth of the condition number of interpolation at equally spaced nodes.
       check_same(samples::disk(degree, std::max(8, degree)), kind, 2e-16 * std::pow(2.6, degree));
@@ -121,7 +113,7 @@ TEST_CASE("straight elements on dyadic coordinates come back bit for bit", "[msh
     builder.data().constrained_edges.push_back({k, 0, builder.edge(v[index(from)], v[index(to)])});
   }
   REQUIRE(check_structure(builder.data()).empty());
-  for (const MshWriteOptions& kind : kinds) {
+  for (const MshWriteOptions& kind : written_kinds) {
     CAPTURE(kind.version, kind.binary);
     check_same(builder.data(), kind, 0);
   }
@@ -131,8 +123,8 @@ TEST_CASE("tangled elements are written as they are", "[msh]") {
   MeshData mesh = samples::disk(2);
   mesh.points[0] += {0.9, 0};
   REQUIRE(!find_invalid(mesh).empty());
-  for (const MshWriteOptions& kind : kinds) {
-    const MeshData again = read_msh(written(mesh, kind)).mesh;
+  for (const MshWriteOptions& kind : written_kinds) {
+    const MeshData again = read_msh(msh_file(mesh, kind)).mesh;
     CHECK(find_invalid(again).invalid == find_invalid(mesh).invalid);
   }
 }
@@ -142,12 +134,12 @@ TEST_CASE("names that would end a line or a quotation are written so that the fi
   mesh.boundary.faces[0].name = "a \"cell\"\nof\tmany";
   mesh.boundary.curves[0].name = "";
   for (int k = 0; k < 100; ++k) mesh.boundary.curves[0].name += "\xc3\xa9";
-  for (const MshWriteOptions& kind : kinds) {
-    const MshImport import = read_msh(written(mesh, kind));
+  for (const MshWriteOptions& kind : written_kinds) {
+    const MshImport import = read_msh(msh_file(mesh, kind));
     CHECK(import.mesh.boundary.faces[0].name == "a 'cell' of many");
     CHECK(import.mesh.boundary.curves[0].name == mesh.boundary.curves[0].name.substr(0, 126));
   }
   mesh.boundary.curves[0].name = "";
-  for (const MshWriteOptions& kind : kinds)
-    CHECK(read_msh(written(mesh, kind)).mesh.boundary.curves[0].name == "curve 1");
+  for (const MshWriteOptions& kind : written_kinds)
+    CHECK(read_msh(msh_file(mesh, kind)).mesh.boundary.curves[0].name == "curve 1");
 }
