@@ -90,13 +90,44 @@ void use_msh(const ToolOptions& options, const MshOptions& msh, std::string_view
   }
 }
 
+/// What works on a mesh of the input, and returns whether the next one is to be read. `forget_text` as in
+/// for_each_mesh.
+using MeshUse = std::function<bool(MeshData&&, const Frame&, const std::function<void()>& forget_text)>;
+
+void read_meshes(const ToolOptions& options, const MeshUse& use) {
+  Doubts doubts(options);
+  const auto use_document = [&](InputDocument& document) {
+    ReaderNotes notes;
+    MeshData data = read_mesh(document.text(), &notes);
+    doubts.say_new(document, std::move(notes.doubts));
+    document.release_if_exact(notes.arrays);
+    require_document_size(data);
+    return use(std::move(data), document.frame(), [&] { document.release(notes.arrays); });
+  };
+  for_each_document(options, FileKind::mesh, use_document, [&](std::string_view bytes, const Frame& frame) {
+    use_msh(options, {}, bytes, frame, [&](MshImport&& import, const Frame&) {
+      require_document_size(import.mesh);
+      if (options.verbose)
+        for (const std::string& text : import.notes) say(options, frame.source + ": " + text);
+      MeshData mesh = std::move(import.mesh);
+      try {
+        use(std::move(mesh), frame, [] {});
+      } catch (const BadMesh& e) {
+        std::vector<Fault> faults;
+        for (const Fault& fault : e.faults()) faults.push_back(in_msh_words(import, fault));
+        throw BadMesh(std::move(faults));
+      }
+    });
+  });
+}
+
 }  // namespace
 
 std::string describe_internal_error(const std::string& text) {
   return "internal error: " + text + "; please report it, with the command and its input";
 }
 
-void for_each_document(const ToolOptions& options, FileKind kind, const std::function<void(InputDocument&)>& use,
+void for_each_document(const ToolOptions& options, FileKind kind, const std::function<bool(InputDocument&)>& use,
                        const std::function<void(std::string_view bytes, const Frame&)>& use_msh_file) {
   std::unique_ptr<std::FILE, Closer> file;
   Frame frame;
@@ -120,14 +151,16 @@ void for_each_document(const ToolOptions& options, FileKind kind, const std::fun
     frame.form = form_of(text);
     if (head.empty()) head = text.substr(0, recognized_by);
     InputDocument document(text, frame, [&stream] { stream.release(); });
+    bool goes_on = true;
     try {
-      with_place(document, [&] { use(document); });
+      with_place(document, [&] { goes_on = use(document); });
     } catch (const Placed& e) {
       const std::string other =
           e.status() == status::bad_input && frame.index == 0 ? describe_other_kind(head, kind) : "";
       if (other.empty()) throw;
       throw Placed(status::bad_input, frame.source + ": " + other);
     }
+    if (!goes_on) return;
   }
   if (stream.frame() < 0)
     throw Placed(status::bad_input,
@@ -136,35 +169,22 @@ void for_each_document(const ToolOptions& options, FileKind kind, const std::fun
 
 void for_each_mesh(const ToolOptions& options,
                    const std::function<void(MeshData&&, const Frame&, const std::function<void()>&)>& use) {
-  Doubts doubts(options);
-  const auto use_document = [&](InputDocument& document) {
-    ReaderNotes notes;
-    MeshData data = read_mesh(document.text(), &notes);
-    doubts.say_new(document, std::move(notes.doubts));
-    document.release_if_exact(notes.arrays);
-    require_document_size(data);
-    use(std::move(data), document.frame(), [&] { document.release(notes.arrays); });
-  };
-  for_each_document(options, FileKind::mesh, use_document, [&](std::string_view bytes, const Frame& frame) {
-    use_msh(options, {}, bytes, frame, [&](MshImport&& import, const Frame&) {
-      require_document_size(import.mesh);
-      if (options.verbose)
-        for (const std::string& text : import.notes) say(options, frame.source + ": " + text);
-      MeshData mesh = std::move(import.mesh);
-      try {
-        use(std::move(mesh), frame, [] {});
-      } catch (const BadMesh& e) {
-        std::vector<Fault> faults;
-        for (const Fault& fault : e.faults()) faults.push_back(in_msh_words(import, fault));
-        throw BadMesh(std::move(faults));
-      }
-    });
+  read_meshes(options, [&use](MeshData&& mesh, const Frame& frame, const std::function<void()>& forget_text) {
+    use(std::move(mesh), frame, forget_text);
+    return true;
   });
 }
 
 void for_each_mesh(const ToolOptions& options, const std::function<void(MeshData&&, const Frame&)>& use) {
-  for_each_mesh(options, [&use](MeshData&& mesh, const Frame& frame, const std::function<void()>&) {
+  read_meshes(options, [&use](MeshData&& mesh, const Frame& frame, const std::function<void()>&) {
     use(std::move(mesh), frame);
+    return true;
+  });
+}
+
+void find_mesh(const ToolOptions& options, const std::function<bool(MeshData&&, const Frame&)>& take) {
+  read_meshes(options, [&take](MeshData&& mesh, const Frame& frame, const std::function<void()>&) {
+    return !take(std::move(mesh), frame);
   });
 }
 
@@ -172,8 +192,11 @@ void for_msh(const ToolOptions& options, const MshOptions& msh,
              const std::function<void(MshImport&&, const Frame&)>& use) {
   // What is no MSH file goes to its reader all the same, which says so.
   const auto read = [&](std::string_view bytes, const Frame& frame) { use_msh(options, msh, bytes, frame, use); };
-  for_each_document(
-      options, FileKind::msh, [&](const InputDocument& document) { read(document.text(), document.frame()); }, read);
+  const auto read_document = [&](const InputDocument& document) {
+    read(document.text(), document.frame());
+    return true;
+  };
+  for_each_document(options, FileKind::msh, read_document, read);
 }
 
 void for_each_boundary(const ToolOptions& options, const std::function<void(BoundaryComplex&&, const Frame&)>& use) {
@@ -183,6 +206,7 @@ void for_each_boundary(const ToolOptions& options, const std::function<void(Boun
     BoundaryComplex boundary = read_boundary(document.text(), &notes);
     doubts.say_new(document, std::move(notes.doubts));
     use(std::move(boundary), document.frame());
+    return true;
   });
 }
 
