@@ -122,7 +122,7 @@ int main(int argc, char** argv) {
     frame.source = options.input == "-" ? "standard input" : options.input;
     const InputFile file = open_input(options.input);
     ByteSource source(file.get(), frame.source);
-    const std::string bytes = read_all(source);
+    const std::string bytes = read_all(source, most_svg_bytes);
     SvgImport import;
     try {
       import = read_svg(bytes, svg);

@@ -39,6 +39,40 @@ for frame in 2 -3; do
   says "has 2 meshes"
   no_output
 done
+# A number is read in decimal digits, and none is taken for another one.
+for frame in 9223372036854775807 9223372036854775808 -9223372036854775808 1000000001 0x1 1.0 last; do
+  run 2 export-svg "--frame=$frame" series.jsonl
+  says "'$frame' is not a whole number from -1000000000 to 1000000000"
+  no_output
+done
+for frame in 01 +1; do
+  run 0 export-svg --frame $frame series.jsonl
+  same second out
+done
+# Reading ends behind the frame, so that a fault there is not found.
+{ cat series.jsonl; echo '{"format":"pliant-mesh","version":1}'; } >broken.jsonl
+for i in {1..300}; do cat series.jsonl; done >long.jsonl
+for tool in export-svg export-msh export-vtu; do
+  has_tool $tool || continue
+  run 0 $tool -q --frame 1 series.jsonl
+  cp out wanted
+  for options in '--frame 1 broken.jsonl' '--frame=-1 series.jsonl'; do
+    run 0 $tool -q $options
+    silent
+    same wanted out
+  done
+  for frame in 2 -1 -2 -9; do
+    run 3 $tool --frame $frame broken.jsonl
+    says "$tool: broken.jsonl:3: frame 2: "
+    no_output
+  done
+  { passthrough long.jsonl 2>writer; echo $? >status; } | $tool -q --frame 1 >out 2>err ||
+    fail "$tool: the frame of a long series: $(cat err)"
+  silent
+  same wanted out
+  [ ! -s writer ] || fail "the writer is ended without a word: $(cat writer)"
+  (($(cat status) == 141)) || fail "$tool: status $(cat status) of a writer whose reader has what it wants"
+done
 run 2 export-svg --box 0,0,0,1 a.json
 run 0 export-svg --color field:u a.json
 grep -q '>field u</text>' out || fail "the name of a field of one letter should be legible"

@@ -3,10 +3,23 @@
 
 #include <charconv>
 #include <cmath>
+#include <optional>
 
 #include "run/exit_status.h"
 
 namespace pliant {
+namespace {
+/// The whole number in decimal digits that is all of the text; none where there is another text, or no long for it.
+std::optional<long> whole_number(const std::string& text) {
+  long value = 0;
+  const char* first = text.c_str();
+  const char* const last = first + text.size();
+  if (text.size() > 1 && text[0] == '+' && text[1] != '-') ++first;
+  const auto [end, error] = std::from_chars(first, last, value);
+  if (end != last || error != std::errc()) return {};
+  return value;
+}
+}  // namespace
 
 double parse_number(const std::string& option, const std::string& text) {
   double value = 0;
@@ -41,6 +54,18 @@ std::string fault_of_number(const std::string& text, double low, double high) {
     return std::string(digits, std::to_chars(digits, digits + sizeof digits, bound).ptr);
   };
   return "'" + text + "' is not a number from " + shortest(low) + " to " + shortest(high);
+}
+
+long parse_whole_number(const std::string& option, const std::string& text) {
+  const std::optional<long> value = whole_number(text);
+  if (!value) throw UsageError(option + ": '" + text + "' is not a whole number");
+  return *value;
+}
+
+std::string fault_of_whole_number(const std::string& text, long low, long high) {
+  const std::optional<long> value = whole_number(text);
+  if (value && *value >= low && *value <= high) return {};
+  return "'" + text + "' is not a whole number from " + std::to_string(low) + " to " + std::to_string(high);
 }
 
 std::pair<std::string, double> parse_named_number(const std::string& option, const std::string& text) {

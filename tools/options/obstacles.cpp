@@ -81,7 +81,7 @@ std::vector<std::vector<Point>> read_outlines(const std::string& file) {
   if (file == "-") throw UsageError("--svg wants a file: standard input is for meshes");
   const InputFile stream = open_input(file);
   ByteSource source(stream.get(), file);
-  const std::string bytes = read_all(source);
+  const std::string bytes = read_all(source, most_svg_bytes);
   try {
     SvgReadOptions options;
     options.planar = true;  // shapes may lie over each other

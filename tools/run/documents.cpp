@@ -88,24 +88,9 @@ void use_msh(const ToolOptions& options, const MshOptions& msh, std::string_view
       });
 }
 
-}  // namespace
-
-void InputCloser::operator()(std::FILE* file) const {
-  if (file != stdin) std::fclose(file);
-}
-
-InputFile open_input(const std::string& path) {
-  InputFile file(path == "-" ? stdin : std::fopen(path.c_str(), "rb"));
-  if (file == nullptr) throw std::system_error(errno, std::generic_category(), path);
-  return file;
-}
-
-std::string describe_internal_error(const std::string& text) {
-  return "internal error: " + text + "; please report it, with the command and its input";
-}
-
-void for_each_document(const ToolOptions& options, FileKind kind, const std::function<void(InputDocument&)>& use,
-                       const std::function<void(std::string_view bytes, const Frame&)>& use_msh_file) {
+/// for_each_document but for DocumentTooLong, which comes out as it is.
+void read_documents(const ToolOptions& options, FileKind kind, const std::function<bool(InputDocument&)>& use,
+                    const std::function<void(std::string_view bytes, const Frame&)>& use_msh_file) {
   Frame frame;
   frame.source = options.input == "-" ? "standard input" : options.input;
   const InputFile file = open_input(options.input);
@@ -123,22 +108,27 @@ void for_each_document(const ToolOptions& options, FileKind kind, const std::fun
     frame.form = form_of(text);
     if (head.empty()) head = text.substr(0, recognized_by);
     InputDocument document(text, frame, [&stream] { stream.release(); });
+    bool goes_on = true;
     try {
-      with_place(document, [&] { use(document); });
+      with_place(document, [&] { goes_on = use(document); });
     } catch (const Placed& e) {
       const std::string other =
           e.status() == status::bad_input && frame.index == 0 ? describe_other_kind(head, kind) : "";
       if (other.empty()) throw;
       throw Placed(status::bad_input, frame.source + ": " + other);
     }
+    if (!goes_on) return;
   }
   if (stream.frame() < 0)
     throw Placed(status::bad_input,
                  frame.source + ":1: the input is empty" + (options.input == "-" ? "" : "; expected a document"));
 }
 
-void for_each_mesh(const ToolOptions& options,
-                   const std::function<void(MeshData&&, const Frame&, const std::function<void()>&)>& use) {
+/// What works on a mesh of the input, and returns whether the next one is to be read. `forget_text` as in
+/// for_each_mesh.
+using MeshUse = std::function<bool(MeshData&&, const Frame&, const std::function<void()>& forget_text)>;
+
+void read_meshes(const ToolOptions& options, const MeshUse& use) {
   Doubts doubts(options);
   const auto use_document = [&](InputDocument& document) {
     ReaderNotes notes;
@@ -146,7 +136,7 @@ void for_each_mesh(const ToolOptions& options,
     doubts.say_new(document, std::move(notes.doubts));
     document.release_if_exact(notes.arrays);
     require_document_size(data);
-    use(std::move(data), document.frame(), [&] { document.release(notes.arrays); });
+    return use(std::move(data), document.frame(), [&] { document.release(notes.arrays); });
   };
   for_each_document(options, FileKind::mesh, use_document, [&](std::string_view bytes, const Frame& frame) {
     use_msh(options, {}, bytes, frame, [&](MshImport&& import, const Frame&) {
@@ -165,9 +155,49 @@ void for_each_mesh(const ToolOptions& options,
   });
 }
 
+}  // namespace
+
+void InputCloser::operator()(std::FILE* file) const {
+  if (file != stdin) std::fclose(file);
+}
+
+InputFile open_input(const std::string& path) {
+  InputFile file(path == "-" ? stdin : std::fopen(path.c_str(), "rb"));
+  if (file == nullptr) throw std::system_error(errno, std::generic_category(), path);
+  return file;
+}
+
+std::string describe_internal_error(const std::string& text) {
+  return "internal error: " + text + "; please report it, with the command and its input";
+}
+
+void for_each_document(const ToolOptions& options, FileKind kind, const std::function<bool(InputDocument&)>& use,
+                       const std::function<void(std::string_view bytes, const Frame&)>& use_msh_file) {
+  try {
+    read_documents(options, kind, use, use_msh_file);
+  } catch (const DocumentTooLong& e) {
+    throw Placed(status::no_result, e.what());
+  }
+}
+
+void for_each_mesh(const ToolOptions& options,
+                   const std::function<void(MeshData&&, const Frame&, const std::function<void()>&)>& use) {
+  read_meshes(options, [&use](MeshData&& mesh, const Frame& frame, const std::function<void()>& forget_text) {
+    use(std::move(mesh), frame, forget_text);
+    return true;
+  });
+}
+
 void for_each_mesh(const ToolOptions& options, const std::function<void(MeshData&&, const Frame&)>& use) {
-  for_each_mesh(options, [&use](MeshData&& mesh, const Frame& frame, const std::function<void()>&) {
+  read_meshes(options, [&use](MeshData&& mesh, const Frame& frame, const std::function<void()>&) {
     use(std::move(mesh), frame);
+    return true;
+  });
+}
+
+void find_mesh(const ToolOptions& options, const std::function<bool(MeshData&&, const Frame&)>& take) {
+  read_meshes(options, [&take](MeshData&& mesh, const Frame& frame, const std::function<void()>&) {
+    return !take(std::move(mesh), frame);
   });
 }
 
@@ -175,8 +205,11 @@ void for_msh(const ToolOptions& options, const MshOptions& msh,
              const std::function<void(MshImport&&, const Frame&)>& use) {
   // What is no MSH file goes to its reader all the same, which says so.
   const auto read = [&](std::string_view bytes, const Frame& frame) { use_msh(options, msh, bytes, frame, use); };
-  for_each_document(
-      options, FileKind::msh, [&](const InputDocument& document) { read(document.text(), document.frame()); }, read);
+  const auto read_document = [&](const InputDocument& document) {
+    read(document.text(), document.frame());
+    return true;
+  };
+  for_each_document(options, FileKind::msh, read_document, read);
 }
 
 void for_each_boundary(const ToolOptions& options, const std::function<void(BoundaryComplex&&, const Frame&)>& use) {
@@ -186,6 +219,7 @@ void for_each_boundary(const ToolOptions& options, const std::function<void(Boun
     BoundaryComplex boundary = read_boundary(document.text(), &notes);
     doubts.say_new(document, std::move(notes.doubts));
     use(std::move(boundary), document.frame());
+    return true;
   });
 }
 

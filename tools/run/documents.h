@@ -41,9 +41,10 @@ using InputFile = std::unique_ptr<std::FILE, InputCloser>;
 /// Opens a file to read it; "-" is standard input.   Throws      std::system_error with the path
 InputFile open_input(const std::string& path);
 
-/// Calls `use` with every document of the input. What it throws comes out as a Placed, but for UsageError and
-/// std::system_error. A file that begins as MSH files do goes to `use_msh_file`, if there is one, as a whole.
-void for_each_document(const ToolOptions& options, FileKind kind, const std::function<void(InputDocument&)>& use,
+/// Calls `use` with every document of the input, or up to the first one for which it returns false. What it throws
+/// comes out as a Placed, but for UsageError and std::system_error. A file that begins as MSH files do goes to
+/// `use_msh_file`, if there is one, as a whole.
+void for_each_document(const ToolOptions& options, FileKind kind, const std::function<bool(InputDocument&)>& use,
                        const std::function<void(std::string_view bytes, const Frame&)>& use_msh_file = {});
 
 /// Calls `use` with every mesh of the input, one at a time. What `use` throws gets the place of the document: an
@@ -55,7 +56,10 @@ void for_each_mesh(const ToolOptions& options, const std::function<void(MeshData
 /// The same; `use` calls `forget_text` once no check is to come that may blame a single number.
 void for_each_mesh(const ToolOptions& options,
                    const std::function<void(MeshData&&, const Frame&, const std::function<void()>& forget_text)>& use);
-/// The same with boundary documents.
+/// The same up to the first mesh for which `take` returns true. What follows it is not read, so that a fault there is
+/// not found, and a program that writes it into a pipe may be ended by SIGPIPE.
+void find_mesh(const ToolOptions& options, const std::function<bool(MeshData&&, const Frame&)>& take);
+/// As for_each_mesh, with boundary documents.
 void for_each_boundary(const ToolOptions& options, const std::function<void(BoundaryComplex&&, const Frame&)>& use);
 
 /// Calls `use` with the MSH file that the input is; what was left out of it is said on standard error. Errors as above,

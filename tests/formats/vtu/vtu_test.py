@@ -245,6 +245,20 @@ class Vtu(unittest.TestCase):
         self.assertEqual(["0", "1"], [entry.get("timestep") for entry in ElementTree.parse("still.pvd").iter("DataSet")])
         self.assertEqual([4.0], Grid("still_0001.vtu").field_data["TimeValue"].values)
 
+    def test_endings_may_be_in_capitals(self):
+        text = b"".join(run("sample_mesh", "disk", "2", time).stdout for time in "01")
+        pathlib.Path("series.jsonl").write_bytes(text)
+        for ending in ("pvd", "PVD", "Pvd"):
+            os.mkdir(ending)
+            run("export-vtu", "series.jsonl", "-o", f"{ending}/film.{ending}")
+            self.assertEqual([f"film.{ending}", "film_0000.vtu", "film_0001.vtu"], sorted(os.listdir(ending)))
+            for name, same in ((f"film.{ending}", "film.pvd"), ("film_0001.vtu", "film_0001.vtu")):
+                self.assertEqual(pathlib.Path("pvd", same).read_bytes(), pathlib.Path(ending, name).read_bytes())
+            done = run("export-vtu", "--frame", "0", "-o", f"x.{ending}", "series.jsonl", status=2)
+            self.assertIn(b"is for a series", done.stderr)
+        run("export-vtu", "series.jsonl", "-o", "first.VTU")
+        self.assertEqual(pathlib.Path("pvd/film_0000.vtu").read_bytes(), pathlib.Path("first.VTU").read_bytes())
+
     def test_a_series_with_a_bad_mesh_has_no_list(self):
         os.mkdir("bad")
         good = run("sample_mesh", "disk", "2").stdout
