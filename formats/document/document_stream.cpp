@@ -76,7 +76,7 @@ struct Freer {
 }  // namespace
 
 struct DocumentStream::State {
-  State(std::FILE* stream, std::string name, std::size_t most) : source(stream, std::move(name)), most(most) {}
+  State(std::FILE* stream, std::string name, std::size_t limit) : source(stream, std::move(name)), most(limit) {}
   State(const State&) = delete;
   State& operator=(const State&) = delete;
 
