@@ -7,7 +7,7 @@ namespace pliant {
 
 enum class DocumentForm { json, cbor };
 
-/// The form that begins with this byte: CBOR's arrays, maps and tags, all else is for the reader of JSON.
+/// Does CBOR begin with this byte, that of an array, a map or a tag? All else is for the reader of JSON.
 inline bool begins_cbor(char first) {
   const auto byte = static_cast<unsigned char>(first);
   return byte >= 0x80 && byte < 0xE0;

@@ -180,7 +180,7 @@ DocumentPlace DocumentOutline::find(std::string_view pointer) const {
   std::size_t found = find_value(text_, pointer);
   const auto next = std::ranges::upper_bound(cuts_, found, {}, &Cut::at);
   const bool is_cbor = form_of(text_) == DocumentForm::cbor;
-  if (is_cbor) found = find_number(typed_array_at(text_, found), pointer);  // a short one is still there
+  if (is_cbor) found = find_number(typed_array_at(text_, found), pointer);  // a short array is still there
   if (next == cuts_.begin()) return is_cbor ? place_of_cbor_byte(found) : place_of_byte(text_, found);
   const Cut& cut = *std::prev(next);
   const std::size_t stands_for_it = is_cbor ? 1 : 2;

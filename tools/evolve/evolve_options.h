@@ -45,7 +45,7 @@ class EvolveCommand {
   void read_goals(const CLI::App& app);
   void read_times();
   void read_frames(const CLI::App& app);
-  /// The history tells the step, and of the options those that no resumed run may change.
+  /// Keeps what the history tells: the step, and those of the given options that no resumed run may change.
   void tell_history(std::vector<std::string>& given) const;
   void read_logs();
 

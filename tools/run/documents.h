@@ -50,8 +50,9 @@ void for_each_document(const ToolOptions& options, FileKind kind, const std::fun
 /// Calls `use` with every mesh of the input, one at a time. What `use` throws gets the place of the document: an
 /// InputError comes out with "FILE:LINE: frame N: /pointer: TEXT (column N)", of CBOR with "FILE: frame N: /pointer:
 /// TEXT (byte N)"; a NoResult with "FILE: frame N: ". An MSH file, known by its first bytes, is one frame; what it
-/// lacks is said on standard error. Throws      InputError also for an empty input; std::system_error where the input
-/// cannot be read
+/// lacks is said on standard error.
+/// Throws      Placed for all of these and for an empty input; UsageError as `use` does; InputError for compressed
+///             bytes that are damaged; std::system_error where the input cannot be read
 void for_each_mesh(const ToolOptions& options, const std::function<void(MeshData&&, const Frame&)>& use);
 /// The same; `use` calls `forget_text` once no check is to come that may blame a single number.
 void for_each_mesh(const ToolOptions& options,

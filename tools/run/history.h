@@ -11,9 +11,9 @@ namespace pliant {
 /// Adds the flag, under another name where a tool has an option of this one.
 void add_history_flag(CLI::App& app, ToolOptions& options, const std::string& name = "--history");
 
-/// The options of a command line by which the result is what it is: all that were given, in the order of --help, but
-/// those that say only where to read and write and what to tell, and but what stands without a name (the input). Call
-/// it once they are parsed.
+/// The options of a command line that decide the result, in the order of --help: all that were given, except those that
+/// only say where to read and write or what to tell, and except what stands without a name (the input). Call it once
+/// they are parsed.
 std::vector<std::string> options_that_count(const CLI::App& app);
 
 /// Adds the tool with its options to the history of the document with these members, if --history is given.

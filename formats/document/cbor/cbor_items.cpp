@@ -31,7 +31,7 @@ void CborItemEnd::end_item() {
 }
 
 void CborItemEnd::take(const CborHead& head) {
-  constexpr std::size_t most = 200;  // readers refuse far fewer levels
+  constexpr std::size_t most = 200;  // levels of nesting, far more than readers take
   if (head.is_wrong() || left_.size() > most) {
     is_done_ = true;
   } else if (head.is_break()) {
