@@ -113,16 +113,25 @@ function valueAt(mesh, t, choice, x, y) {
   return NaN;
 }
 
-// As a metric's column: the value in the middle of each element.
-function fieldColumn(mesh, choice) {
-  const net = new Float64Array(mesh.netSize * (2 + choice.field.components)), values = new Float64Array(mesh.count);
+// As a metric's column: the value in the middle of each element. A mesh of a series that lacks the field has no values.
+function fieldColumn(mesh, name) {
+  const choice = mesh.choice(name), values = new Float64Array(mesh.count).fill(NaN);
+  const column = {name, worstIsLeast: false, isField: true, values};
+  if (!choice) return column;
+  const net = new Float64Array(mesh.netSize * (2 + choice.field.components));
   const weights = blossomWeights(mesh.degree, Array(mesh.degree).fill([1 / 3, 1 / 3, 1 / 3]));
   const out = new Float64Array(2 + choice.field.components);
   for (let t = 0; t < mesh.count; t++) {
     weighted(net, loadNet(mesh, t, choice.field, net), weights, out);
     values[t] = choice.of(out, 2);
   }
-  return {name: choice.name, worstIsLeast: false, isField: true, values};
+  return column;
+}
+
+// The names of all fields of a series, those of its first mesh first.
+function fieldNames() {
+  const later = frames.flatMap((frame) => Object.keys(frame.ranges).filter((name) => name.startsWith('field:')));
+  return [...new Set([...fieldChoices(meshOf(0)).map((choice) => choice.name), ...later])];
 }
 
 const pieceSize = 5;  // device pixels: smaller pieces have one colour

@@ -50,10 +50,9 @@ class Mesh {
   }
 
   fieldColumn(name) {
-    const choice = this.choice(name);
-    if (!choice) return undefined;
+    if (!name.startsWith('field:')) return undefined;
     this.fieldColumns ??= new Map();
-    if (!this.fieldColumns.has(name)) this.fieldColumns.set(name, fieldColumn(this, choice));
+    if (!this.fieldColumns.has(name)) this.fieldColumns.set(name, fieldColumn(this, name));
     return this.fieldColumns.get(name);
   }
 

@@ -302,7 +302,7 @@ function start() {
   });
   const names = meshOf(0).columns.map((column) => column.name);
   const option = (name) => make('option', {value: name}, metricTitle(name));
-  const fields = fieldChoices(meshOf(0)).map((choice) => choice.name);
+  const fields = fieldNames();
   byId('metric').append(
       make('optgroup', {label: 'Measures'}, ...names.map(option)),
       ...(fields.length > 0 ? [make('optgroup', {label: 'Fields'}, ...fields.map(option))] : []),
