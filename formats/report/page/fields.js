@@ -171,7 +171,7 @@ class FieldPainter {
       if (code < least) least = code;
       if (code > most) most = code;
       if (n < 3) continue;
-      const [i, j, k] = this.exponents[n].map((exponent) => exponent / mesh.degree);
+      const [i, j, k] = this.shares[n];
       bulge = Math.max(
           bulge, Math.abs(x - i * corner(0, 0) - j * corner(1, 0) - k * corner(2, 0)),
           Math.abs(y - i * corner(0, 1) - j * corner(1, 1) - k * corner(2, 1)));
@@ -184,8 +184,10 @@ class FieldPainter {
     return {isSeen, size, isPlain: least === most && bulge * camera.scale < 0.5};
   }
 
-  get exponents() {
-    return this.exponentList ??= netExponents(this.mesh.degree);
+  // The barycentric coordinates of the net's entries, were it straight.
+  get shares() {
+    const {degree} = this.mesh;
+    return this.shareList ??= netExponents(degree).map((entry) => entry.map((exponent) => exponent / degree));
   }
 
   paint(depth, camera, offset) {
