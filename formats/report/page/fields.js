@@ -24,13 +24,14 @@ function fieldChoices(mesh) {
   });
 }
 
-// Control points and control values of an element: x, y, then the field's components, for each entry of its net.
-function loadNet(mesh, t, field, out) {
+// Control points and control values of an element: x, y, then the field's components, for each entry of its net. Points
+// are relative to (left, low).
+function loadNet(mesh, t, field, out, left = 0, low = 0) {
   const {nets, points, netSize} = mesh, {components, values, rows} = field, width = 2 + components;
   for (let n = 0; n < netSize; n++) {
     const entry = t * netSize + n, point = nets[entry], row = components * (rows ? rows[entry] : point);
-    out[n * width] = points[2 * point];
-    out[n * width + 1] = points[2 * point + 1];
+    out[n * width] = points[2 * point] - left;
+    out[n * width + 1] = points[2 * point + 1] - low;
     for (let c = 0; c < components; c++) out[n * width + 2 + c] = values[row + c];
   }
   return width;
@@ -83,15 +84,16 @@ function evaluateNet(degree, net, width, xi) {
   return out;
 }
 
-// The value of the choice at (x, y) in element t: Newton's method for the barycentric coordinates.
+// The value of the choice at (x, y) in element t: Newton's method for the barycentric coordinates. The net is relative
+// to (x, y), so that its rounding is small beside the element wherever the mesh is.
 function valueAt(mesh, t, choice, x, y) {
   const net = new Float64Array(mesh.netSize * (2 + choice.field.components));
-  const width = loadNet(mesh, t, choice.field, net), {degree} = mesh;
+  const width = loadNet(mesh, t, choice.field, net, x, y), {degree} = mesh;
   const scale = Math.max(mesh.boxes[4 * t + 2] - mesh.boxes[4 * t], mesh.boxes[4 * t + 3] - mesh.boxes[4 * t + 1]);
   const starts = [[1 / 3, 1 / 3], [0.15, 0.15], [0.7, 0.15], [0.15, 0.7]];
   for (let [u, v] of starts) {
     for (let step = 0; step < 30; step++) {
-      const here = evaluateNet(degree, net, width, [1 - u - v, u, v]), dx = x - here[0], dy = y - here[1];
+      const here = evaluateNet(degree, net, width, [1 - u - v, u, v]), dx = -here[0], dy = -here[1];
       if (Math.hypot(dx, dy) <= 1e-9 * scale) {
         if (Math.min(u, v, 1 - u - v) < -1e-6) break;
         return choice.of(here, 2);
