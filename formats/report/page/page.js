@@ -244,8 +244,8 @@ const player = frames.length > 1 ? new Player(goTo) : null;
 
 // A view of all is none of its own, unless an element is chosen, which would be looked at.
 function viewNow() {
-  const {x, y, scale, fitted} = stage.camera;
-  return scale === fitted && state.selected < 0 ? undefined : [x, y, Number((scale / fitted).toPrecision(6))];
+  const {x, y, scale, fitted, isHome} = stage.camera;
+  return isHome && state.selected < 0 ? undefined : [x, y, Number((scale / fitted).toPrecision(6))];
 }
 
 function showWanted({frame, element, color, view}) {
