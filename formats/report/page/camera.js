@@ -20,6 +20,13 @@ class Camera {
     this.y = box[1] / 2 + box[3] / 2;
     this.scale = Math.min((room * this.width) / (width || height || 1), (room * this.height) / (height || width || 1));
     this.fitted = this.scale;
+    this.home = [this.x, this.y];
+    this.deepest = Math.max(this.fitted, Math.min(this.fitted * 1e11, 2 ** 47 / Math.max(...box.map(Math.abs))));
+  }
+
+  // Whether it shows what `fit` chose.
+  get isHome() {
+    return this.scale === this.fitted && this.x === this.home[0] && this.y === this.home[1];
   }
 
   toScreen(x, y) {
@@ -35,11 +42,15 @@ class Camera {
     this.y += dy / this.scale;
   }
 
-  // The point under (sx, sy) stays there. Zooming in ends where doubles are too coarse for a pixel.
+  // Zooming in ends at `deepest`, where doubles are too coarse for a pixel: far from the origin earlier.
+  limited(scale) {
+    return Math.max(this.fitted / 20, Math.min(this.deepest, scale));
+  }
+
+  // The point under (sx, sy) stays there.
   zoom(factor, sx = this.width / 2, sy = this.height / 2) {
     const [x, y] = this.toPlane(sx, sy);
-    const limit = this.fitted ?? this.scale;
-    this.scale = Math.max(limit / 20, Math.min(limit * 1e11, this.scale * factor));
+    this.scale = this.limited(this.scale * factor);
     this.x = x - (sx - this.width / 2) / this.scale;
     this.y = y + (sy - this.height / 2) / this.scale;
   }

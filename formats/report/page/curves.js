@@ -83,6 +83,25 @@ function traceCurve(path, curve, camera, depth = 0) {
   for (const half of halves(curve)) traceCurve(path, half, camera, depth + 1);
 }
 
+// A straight line of its own, between two points of the drawing.
+function traceLine(path, from, to, camera) {
+  path.moveTo(...from.map(clampFar));
+  traceCurve(path, [...from, ...to], camera);
+}
+
+// A circle as cubic curves. n of them are within 1.12 / n^6 radii of it, which here is a twentieth of a pixel at most.
+function traceCircle(path, [x, y], radius, camera) {
+  const n = Math.max(4, Math.ceil((22.4 * radius) ** (1 / 6))), step = (2 * Math.PI) / n;
+  const leg = (4 / 3) * Math.tan(step / 4) * radius;
+  path.moveTo(clampFar(x + radius), clampFar(y));
+  for (let k = 0; k < n; k++) {
+    const [c0, s0, c1, s1] = [k, k + 1].flatMap((at) => [Math.cos(at * step), Math.sin(at * step)]);
+    const [x0, y0, x1, y1] = [x + radius * c0, y + radius * s0, x + radius * c1, y + radius * s1];
+    traceCurve(path, [x0, y0, x0 - leg * s0, y0 + leg * c0, x1 + leg * s1, y1 - leg * c1, x1, y1], camera);
+  }
+  path.closePath();
+}
+
 const scratchCurves = new Map();
 function scratchCurve(degree) {
   if (!scratchCurves.has(degree)) scratchCurves.set(degree, new Float64Array(2 * degree + 2));

@@ -40,7 +40,8 @@ function showElement(panel, mesh, t, metric, actions) {
           make('button', {type: 'button', 'aria-label': 'Let go of the element', onclick: actions.release}, '\u00d7')),
       make(
           'p', {class: 'note'},
-          `face ${mesh.faceNames[mesh.faces[t]] ?? mesh.faces[t]} \u00b7 barycentre (${short(x, 7)}, ${short(y, 7)})`),
+          `face ${mesh.faceNames[mesh.faces[t]] ?? mesh.faces[t]} \u00b7 barycentre (${short(x, 7, mesh.size)}, ${
+              short(y, 7, mesh.size)})`),
       make(
           'table', {},
           make(

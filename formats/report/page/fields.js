@@ -24,13 +24,14 @@ function fieldChoices(mesh) {
   });
 }
 
-// Control points and control values of an element: x, y, then the field's components, for each entry of its net.
-function loadNet(mesh, t, field, out) {
+// Control points and control values of an element: x, y, then the field's components, for each entry of its net. Points
+// are relative to (left, low).
+function loadNet(mesh, t, field, out, left = 0, low = 0) {
   const {nets, points, netSize} = mesh, {components, values, rows} = field, width = 2 + components;
   for (let n = 0; n < netSize; n++) {
     const entry = t * netSize + n, point = nets[entry], row = components * (rows ? rows[entry] : point);
-    out[n * width] = points[2 * point];
-    out[n * width + 1] = points[2 * point + 1];
+    out[n * width] = points[2 * point] - left;
+    out[n * width + 1] = points[2 * point + 1] - low;
     for (let c = 0; c < components; c++) out[n * width + 2 + c] = values[row + c];
   }
   return width;
@@ -83,15 +84,16 @@ function evaluateNet(degree, net, width, xi) {
   return out;
 }
 
-// The value of the choice at (x, y) in element t: Newton's method for the barycentric coordinates.
+// The value of the choice at (x, y) in element t: Newton's method for the barycentric coordinates. The net is relative
+// to (x, y), so that its rounding is small beside the element wherever the mesh is.
 function valueAt(mesh, t, choice, x, y) {
   const net = new Float64Array(mesh.netSize * (2 + choice.field.components));
-  const width = loadNet(mesh, t, choice.field, net), {degree} = mesh;
+  const width = loadNet(mesh, t, choice.field, net, x, y), {degree} = mesh;
   const scale = Math.max(mesh.boxes[4 * t + 2] - mesh.boxes[4 * t], mesh.boxes[4 * t + 3] - mesh.boxes[4 * t + 1]);
   const starts = [[1 / 3, 1 / 3], [0.15, 0.15], [0.7, 0.15], [0.15, 0.7]];
   for (let [u, v] of starts) {
     for (let step = 0; step < 30; step++) {
-      const here = evaluateNet(degree, net, width, [1 - u - v, u, v]), dx = x - here[0], dy = y - here[1];
+      const here = evaluateNet(degree, net, width, [1 - u - v, u, v]), dx = -here[0], dy = -here[1];
       if (Math.hypot(dx, dy) <= 1e-9 * scale) {
         if (Math.min(u, v, 1 - u - v) < -1e-6) break;
         return choice.of(here, 2);
@@ -113,16 +115,25 @@ function valueAt(mesh, t, choice, x, y) {
   return NaN;
 }
 
-// As a metric's column: the value in the middle of each element.
-function fieldColumn(mesh, choice) {
-  const net = new Float64Array(mesh.netSize * (2 + choice.field.components)), values = new Float64Array(mesh.count);
+// As a metric's column: the value in the middle of each element. A mesh of a series that lacks the field has no values.
+function fieldColumn(mesh, name) {
+  const choice = mesh.choice(name), values = new Float64Array(mesh.count).fill(NaN);
+  const column = {name, worstIsLeast: false, isField: true, values};
+  if (!choice) return column;
+  const net = new Float64Array(mesh.netSize * (2 + choice.field.components));
   const weights = blossomWeights(mesh.degree, Array(mesh.degree).fill([1 / 3, 1 / 3, 1 / 3]));
   const out = new Float64Array(2 + choice.field.components);
   for (let t = 0; t < mesh.count; t++) {
     weighted(net, loadNet(mesh, t, choice.field, net), weights, out);
     values[t] = choice.of(out, 2);
   }
-  return {name: choice.name, worstIsLeast: false, isField: true, values};
+  return column;
+}
+
+// The names of all fields of a series, those of its first mesh first.
+function fieldNames() {
+  const later = frames.flatMap((frame) => Object.keys(frame.ranges).filter((name) => name.startsWith('field:')));
+  return [...new Set([...fieldChoices(meshOf(0)).map((choice) => choice.name), ...later])];
 }
 
 const pieceSize = 5;  // device pixels: smaller pieces have one colour
@@ -162,7 +173,7 @@ class FieldPainter {
       if (code < least) least = code;
       if (code > most) most = code;
       if (n < 3) continue;
-      const [i, j, k] = this.exponents[n].map((exponent) => exponent / mesh.degree);
+      const [i, j, k] = this.shares[n];
       bulge = Math.max(
           bulge, Math.abs(x - i * corner(0, 0) - j * corner(1, 0) - k * corner(2, 0)),
           Math.abs(y - i * corner(0, 1) - j * corner(1, 1) - k * corner(2, 1)));
@@ -175,8 +186,10 @@ class FieldPainter {
     return {isSeen, size, isPlain: least === most && bulge * camera.scale < 0.5};
   }
 
-  get exponents() {
-    return this.exponentList ??= netExponents(this.mesh.degree);
+  // The barycentric coordinates of the net's entries, were it straight.
+  get shares() {
+    const {degree} = this.mesh;
+    return this.shareList ??= netExponents(degree).map((entry) => entry.map((exponent) => exponent / degree));
   }
 
   paint(depth, camera, offset) {

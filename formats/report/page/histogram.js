@@ -32,16 +32,16 @@ const plotWidth = 352, plotHeight = 96;
 // choose(bin or -1) when a bar is clicked, point(bin or -1) when it is hovered.
 function drawHistogram(svg, bins, range, palette, {choose, point}) {
   const size = bins.counts.length, most = Math.max(1, ...bins.counts), step = plotWidth / size;
+  const width = bins.high - bins.low;
   svg.replaceChildren();
   svg.setAttribute('viewBox', `0 0 ${plotWidth} ${plotHeight + 30}`);
-  const place = (value) => (bins.high > bins.low ? (value - bins.low) / (bins.high - bins.low) : 0.5) * plotWidth;
+  const place = (value) => (width > 0 ? (value - bins.low) / width : 0.5) * plotWidth;
   const colorAt = (value) => palette.text[codeOf(value, range[0], range[1])];
   bins.counts.forEach((number, bin) => {
     // A single element shows, however many are elsewhere.
     const height = number > 0 ? Math.max(2.5, (number / most) * (plotHeight - 4)) : 0;
-    const low = bins.low + ((bins.high - bins.low) * bin) / size,
-          high = bins.low + ((bins.high - bins.low) * (bin + 1)) / size;
-    const words = `${plural(number, 'element')} from ${short(low)} to ${short(high)}`;
+    const low = bins.low + (width * bin) / size, high = bins.low + (width * (bin + 1)) / size;
+    const words = `${plural(number, 'element')} from ${short(low, 4, width)} to ${short(high, 4, width)}`;
     const bar = makeSvg(
         'g', {
           class: 'bar',
@@ -81,7 +81,7 @@ function drawHistogram(svg, bins, range, palette, {choose, point}) {
     const anchor = x < 12 ? 'start' : x > plotWidth - 12 ? 'end' : 'middle';
     svg.append(
         makeSvg('path', {class: 'tick', d: `M${x} ${plotHeight + 9}v4`}),
-        makeSvg('text', {x, y: plotHeight + 25, 'text-anchor': anchor}, short(value, 5)));
+        makeSvg('text', {x, y: plotHeight + 25, 'text-anchor': anchor}, short(value, 5, width)));
   }
 }
 

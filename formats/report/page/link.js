@@ -40,7 +40,8 @@ class Link {
     if (frames.length > 1 || element !== undefined) parts.push(`frame=${frame}`);
     if (element !== undefined) parts.push(`element=${element}`);
     if (color !== undefined) parts.push(`color=${encodeURIComponent(color)}`);
-    if (view !== undefined) parts.push(`view=${view.join()}`);
+    // The plus of an exponent would be read as a blank.
+    if (view !== undefined) parts.push(`view=${view.join().replaceAll('+', '')}`);
     return parts.length > 0 ? `#${parts.join('&')}` : '#';
   }
 

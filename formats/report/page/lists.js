@@ -76,7 +76,9 @@ function showKinds(figure, rows, palette, choose) {
                         role: 'button',
                         onclick: () => choose(row.key),
                         onkeydown: (event) => {
-                          if (event.key === 'Enter') choose(row.key);
+                          if (event.key !== 'Enter' && event.key !== ' ') return;
+                          event.preventDefault();
+                          choose(row.key);
                         }
                       },
                       make('th', {class: 'name', scope: 'row'}, swatch(row.code, palette), row.name),

@@ -34,17 +34,13 @@ function drawNets(context, mesh, camera, look) {
   const place = (t, n) => {
     const q = 2 * mesh.nets[t * mesh.netSize + n];
     return [
-      clampFar(camera.left + (mesh.points[q] - camera.x) * camera.scale),
-      clampFar(camera.top - (mesh.points[q + 1] - camera.y) * camera.scale)
+      camera.left + (mesh.points[q] - camera.x) * camera.scale,
+      camera.top - (mesh.points[q + 1] - camera.y) * camera.scale
     ];
   };
   context.beginPath();
-  for (const t of shown) {
-    for (const [a, b] of mesh.netLegs()) {
-      context.moveTo(...place(t, a));
-      context.lineTo(...place(t, b));
-    }
-  }
+  for (const t of shown)
+    for (const [a, b] of mesh.netLegs()) traceLine(context, place(t, a), place(t, b), camera);
   context.strokeStyle = look.palette.net;
   context.lineWidth = camera.ratio;
   context.globalAlpha = 0.8;
@@ -53,7 +49,7 @@ function drawNets(context, mesh, camera, look) {
   context.beginPath();
   for (const t of shown) {
     for (let n = 0; n < mesh.netSize; n++) {
-      const [x, y] = place(t, n), r = (n < 3 ? 3.6 : 2.8) * camera.ratio;
+      const [x, y] = place(t, n).map(clampFar), r = (n < 3 ? 3.6 : 2.8) * camera.ratio;
       context.moveTo(x + r, y);
       context.arc(x, y, r, 0, 2 * Math.PI);
     }
@@ -75,7 +71,7 @@ function labelPoints(context, mesh, camera, look, place) {
   context.strokeStyle = look.palette.paper;
   context.fillStyle = look.palette.ink;
   for (let n = 0; n < mesh.netSize; n++) {
-    const [x, y] = place(t, n), text = String(mesh.nets[t * mesh.netSize + n]);
+    const [x, y] = place(t, n).map(clampFar), text = String(mesh.nets[t * mesh.netSize + n]);
     context.strokeText(text, x + 6 * camera.ratio, y - 5 * camera.ratio);
     context.fillText(text, x + 6 * camera.ratio, y - 5 * camera.ratio);
   }

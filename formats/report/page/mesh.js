@@ -50,10 +50,9 @@ class Mesh {
   }
 
   fieldColumn(name) {
-    const choice = this.choice(name);
-    if (!choice) return undefined;
+    if (!name.startsWith('field:')) return undefined;
     this.fieldColumns ??= new Map();
-    if (!this.fieldColumns.has(name)) this.fieldColumns.set(name, fieldColumn(this, choice));
+    if (!this.fieldColumns.has(name)) this.fieldColumns.set(name, fieldColumn(this, name));
     return this.fieldColumns.get(name);
   }
 
@@ -61,7 +60,7 @@ class Mesh {
   measure() {
     const {points, nets, netSize} = this;
     this.boxes = new Float64Array(4 * this.count);
-    this.bulges = new Float32Array(3 * this.count);
+    this.bulges = new Float64Array(3 * this.count);
     this.box = [Infinity, Infinity, -Infinity, -Infinity];
     for (let t = 0; t < this.count; t++) {
       let left = Infinity, low = Infinity, right = -Infinity, high = -Infinity;
@@ -80,6 +79,7 @@ class Mesh {
       for (let e = 0; e < 3; e++) this.bulges[3 * t + e] = this.bulge(t, e);
     }
     if (this.count === 0) this.box = [0, 0, 1, 1];
+    this.size = Math.max(this.box[2] - this.box[0], this.box[3] - this.box[1]);
   }
 
   bulge(t, e) {

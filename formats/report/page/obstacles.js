@@ -10,18 +10,14 @@ function drawObstacles(context, camera, palette) {
   if (settings.circles.length + settings.outlines.length === 0) return;
   const place = (x, y) => [camera.left + (x - camera.x) * camera.scale, camera.top - (y - camera.y) * camera.scale];
   context.beginPath();
-  for (const [x, y, r] of settings.circles) {
-    const [cx, cy] = place(x, y), radius = r * camera.scale;
-    context.moveTo(cx + radius, cy);
-    context.arc(cx, cy, radius, 0, 2 * Math.PI);
-  }
+  for (const [x, y, r] of settings.circles) traceCircle(context, place(x, y), r * camera.scale, camera);
   for (const outline of settings.outlines) {
+    let from = place(outline.at(-2), outline.at(-1));
+    context.moveTo(...from.map(clampFar));
     for (let k = 0; k < outline.length; k += 2) {
-      const at = place(outline[k], outline[k + 1]).map(clampFar);
-      if (k === 0)
-        context.moveTo(...at);
-      else
-        context.lineTo(...at);
+      const to = place(outline[k], outline[k + 1]);
+      traceCurve(context, [...from, ...to], camera);
+      from = to;
     }
     context.closePath();
   }

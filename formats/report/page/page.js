@@ -103,9 +103,10 @@ function showMetric() {
   stage.changed();
 }
 
-// Five digits of the ends, but none below a millionth of the range.
+// Five digits of the ends, more where the range is narrow beside them, but none below a millionth of it.
 function showRange(range) {
-  const text = (value) => (Math.abs(value) < 1e-6 * (range[1] - range[0]) ? 0 : Number(value.toPrecision(5)));
+  const size = range && range[1] - range[0];
+  const text = (value) => (Math.abs(value) < 1e-6 * size ? 0 : rounded(value, 5, size));
   byId('range-low').value = range ? text(range[0]) : '';
   byId('range-high').value = range ? text(range[1]) : '';
 }
@@ -181,7 +182,7 @@ function showCaption(bin = null) {
   }
   const number = state.highlight.reduce((sum, each) => sum + each, 0);
   const {bins} = state;
-  const edge = (k) => short(bins.low + ((bins.high - bins.low) * k) / bins.counts.length);
+  const size = bins && bins.high - bins.low, edge = (k) => short(bins.low + (size * k) / bins.counts.length, 4, size);
   caption.textContent = `${plural(number, 'element')} highlighted` + (bins ? `: ${edge(bin)} to ${edge(bin + 1)}` : '');
 }
 
@@ -226,7 +227,8 @@ function pointAt(x, y) {
   const element = t === undefined ? '' : ` \u00b7 element ${mesh.triangles[t]}`;
   const field = mesh.choice(metric), here = field && t !== undefined ? valueAt(mesh, t, field, x, y) : value;
   const figure = value === undefined ? '' : `: ${metricTitle(metric)} ${short(here, 5)}${metricUnit(metric)}`;
-  byId('pointer').textContent = `${short(x, 6)}, ${short(y, 6)}${element}${figure}`;
+  const size = stage.camera.width / stage.camera.scale;
+  byId('pointer').textContent = `${short(x, 6, size)}, ${short(y, 6, size)}${element}${figure}`;
 }
 
 const goTo = (frame) => {
@@ -242,8 +244,8 @@ const player = frames.length > 1 ? new Player(goTo) : null;
 
 // A view of all is none of its own, unless an element is chosen, which would be looked at.
 function viewNow() {
-  const {x, y, scale, fitted} = stage.camera;
-  return scale === fitted && state.selected < 0 ? undefined : [x, y, Number((scale / fitted).toPrecision(6))];
+  const {x, y, scale, fitted, isHome} = stage.camera;
+  return isHome && state.selected < 0 ? undefined : [x, y, Number((scale / fitted).toPrecision(6))];
 }
 
 function showWanted({frame, element, color, view}) {
@@ -256,8 +258,7 @@ function showWanted({frame, element, color, view}) {
   stage.stopGliding();
   stage.camera.fit(stage.box);
   if (view !== undefined)
-    Object.assign(
-        stage.camera, {x: view[0], y: view[1], scale: stage.camera.fitted * Math.max(0.05, Math.min(1e11, view[2]))});
+    Object.assign(stage.camera, {x: view[0], y: view[1], scale: stage.camera.limited(stage.camera.fitted * view[2])});
   else if (t >= 0)
     stage.lookAt(state.mesh, t);
   stage.drawNow();
@@ -302,7 +303,7 @@ function start() {
   });
   const names = meshOf(0).columns.map((column) => column.name);
   const option = (name) => make('option', {value: name}, metricTitle(name));
-  const fields = fieldChoices(meshOf(0)).map((choice) => choice.name);
+  const fields = fieldNames();
   byId('metric').append(
       make('optgroup', {label: 'Measures'}, ...names.map(option)),
       ...(fields.length > 0 ? [make('optgroup', {label: 'Fields'}, ...fields.map(option))] : []),

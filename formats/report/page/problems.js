@@ -24,7 +24,7 @@ function notValid(mesh, kind, text, actions) {
 function overlaps(mesh, frame, actions) {
   if (frame.report.overlaps === 0) return [];
   const rows = frame.overlaps.map((overlap) => {
-    const at = overlap.at ? `at (${short(overlap.at[0], 5)}, ${short(overlap.at[1], 5)}) ` : '';
+    const at = overlap.at ? `at (${overlap.at.map((each) => short(each, 5, mesh.size)).join(', ')}) ` : '';
     return make('li', {}, at, ...overlap.triangles.map((triangle) => showButton(mesh, triangle, actions)));
   });
   return [problem(

@@ -117,9 +117,7 @@ class Stage {
     const target = new Camera();
     target.resize(this.camera.width, this.camera.height);
     target.fit([...box], 0.36);
-    const limit = this.camera.fitted;
-    const scale = Math.max(Math.min(target.scale, limit * 1e11), limit);
-    return {x: target.x, y: target.y, scale};
+    return {x: target.x, y: target.y, scale: this.camera.limited(Math.max(target.scale, this.camera.fitted))};
   }
   lookAt(mesh, t) {
     Object.assign(this.camera, this.viewOf(mesh, t));

@@ -24,10 +24,17 @@ const validityWords = ['valid', 'degenerate', 'invalid'];
 const count = (number) => number.toLocaleString('en-US');
 const plural = (number, word) => `${count(number)} ${word}${number === 1 ? '' : 's'}`;
 
-// A few significant digits; what does not exist is a dash.
-function short(value, digits = 4) {
+// A number to so many significant digits, and one more for each power of ten by which it is above `size`: so numbers
+// that differ by a part of `size` stay different.
+function rounded(value, digits, size = Infinity) {
+  const more = size > 0 ? Math.max(0, Math.floor(Math.log10(Math.abs(value) / size))) : 0;
+  return Number(value.toPrecision(Math.min(17, digits + more)));
+}
+
+// A few significant digits, as `rounded` has them; what does not exist is a dash.
+function short(value, digits = 4, size = Infinity) {
   if (value === null || value === undefined || !Number.isFinite(value)) return '\u2013';
-  return String(Number(value.toPrecision(digits))).replace('-', '\u2212');
+  return String(rounded(value, digits, size)).replace('-', '\u2212');
 }
 
 // Elements of the page from here on get text only as text, never as markup.
