@@ -4,6 +4,7 @@
 #include <unordered_map>
 #include <unordered_set>
 
+#include "formats/svg_import/areas/painted_strokes.h"
 #include "formats/svg_import/clip_paths.h"
 #include "formats/svg_import/context.h"
 #include "formats/svg_import/paint.h"
@@ -98,15 +99,10 @@ class Walker {
     const auto box = [&] {
       Box all;
       const Affine back = context.map.determinant() == 0 ? Affine{} : context.map.inverse();
-      const auto add = [&](const Outline& outline, const Affine& map) {
-        const Box one = tight_box_of(outline, map);
-        if (!(one.low.x <= one.high.x)) return;
-        all.extend(one.low);
-        all.extend(one.high);
-      };
       for (std::size_t s = first; s < scene_.shapes.size(); ++s)
-        add(scene_.shapes[s].outline, back * scene_.shapes[s].map);
-      for (std::size_t l = first_line; l < scene_.lines.size(); ++l) add(scene_.lines[l].outline, back);
+        extend(all, tight_box_of(scene_.shapes[s].outline, back * scene_.shapes[s].map));
+      for (std::size_t l = first_line; l < scene_.lines.size(); ++l)
+        extend(all, tight_box_of(scene_.lines[l].outline, back));
       return all;
     };
     const int number = clip_paths_.of(value, element, context, box);
