@@ -312,7 +312,7 @@ class Walker {
     check_coordinates(element, outline);
     const std::string name = names_.name(element, context.shown_by, number);
     // Where the stroke is painted first, the fill hides what of it lies inside.
-    const bool is_under = context.paint_order.substr(0, 6) == "stroke";
+    const bool is_under = context.paint_order.find("stroke") < context.paint_order.find("fill");
     const int before = static_cast<int>(scene_.shapes.size());
     if (is_line) scene_.lines.push_back({name, outline, before + (is_filled && !is_under ? 1 : 0)});
     const auto add_stroke = [&] {

@@ -155,6 +155,12 @@ TEST_CASE("strokes have the names of their shapes, and a default that leaves the
   CHECK(import.boundary.faces[2].name == "b");
   CHECK(face_area(import.boundary, "a") == Approx(64));
   CHECK(face_area(import.boundary, "a stroke") == Approx(36));
+  // The fill hides half of a stroke that is painted before it.
+  for (const auto& [order, fill] : std::vector<std::pair<std::string, double>>{
+           {"normal", 64}, {"fill", 64}, {"markers", 64}, {"stroke", 81}, {"markers stroke", 81}}) {
+    const std::string text = "<rect id='a' width='9' height='9' stroke='red' paint-order='" + order + "'/>";
+    CHECK(face_area(read(samples::svg(text), options).boundary, "a") == Approx(fill));
+  }
   for (const char* d : {"stroke-width='0'", "stroke-opacity='0'", "visibility='hidden'", "opacity='0'"})
     CHECK_THROWS(read_svg(samples::svg("<line x2='9' stroke='red' " + std::string(d) + "/>"), options));
   CHECK_THROWS_WITH(read_svg(samples::svg("<line x2='9' stroke='red'/>")), Catch::Contains("--strokes area"));
