@@ -318,6 +318,10 @@ class Walker {
     const auto add_stroke = [&] {
       Shape stroke{is_filled ? names_.unique(name + " stroke") : name, element.line, false, own_outline};
       stroke.stroke = stroke_style(element, declared, context, notices_);
+      dash_lengths_ += stroke.stroke->dashes.size();
+      if (dash_lengths_ > max_dash_lengths)
+        refuse(element, "the values of stroke-dasharray have more than " + std::to_string(max_dash_lengths) +
+                            " lengths, those of each stroke counted");
       stroke.map = context.map;
       scene_.shapes.push_back(std::move(stroke));
     };
@@ -335,7 +339,7 @@ class Walker {
   ClipPaths clip_paths_;
   std::vector<bool> in_use_;
   std::unordered_map<std::string, long> numbers_;
-  std::size_t steps_ = 0;
+  std::size_t steps_ = 0, dash_lengths_ = 0;
   long visits_ = 0;
 };
 

@@ -13,7 +13,8 @@ namespace pliant::svg {
 
 inline constexpr std::size_t max_steps = 2'000'000;  ///< steps of all outlines together, each copy by `use` counted
 inline constexpr long max_visits = 1'000'000;        ///< visits of elements, those in copies counted each time
-inline constexpr double max_coordinate = 1e60;       ///< largest coordinate: its fourth power is finite
+inline constexpr std::size_t max_dash_lengths = 2'000'000;  ///< numbers in the dash lists of all strokes together
+inline constexpr double max_coordinate = 1e60;              ///< largest coordinate: its fourth power is finite
 
 /// One filled shape.
 struct Shape {
