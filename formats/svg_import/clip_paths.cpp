@@ -1,29 +1,16 @@
 // formats/svg_import/clip_paths.cpp: clip paths, as areas where elements refer to them.
 #include "formats/svg_import/clip_paths.h"
 
-#include <algorithm>
-
 #include "formats/svg_import/paint.h"
 #include "formats/svg_import/painting.h"
 #include "formats/svg_import/viewport.h"
 
 namespace pliant::svg {
-namespace {
-
-/// The id in "url(#id)", also with quotes; empty where the value is no such reference.
-std::string reference_in(std::string_view value) {
-  if (value.size() < 4 || !is_same_word(value.substr(0, 4), "url(")) return {};
-  std::string id(value.substr(4, std::min(value.find(')'), value.size()) - 4));
-  std::erase_if(id, [](char c) { return c == '"' || c == '\'' || c == ' '; });
-  return id.empty() || id.front() != '#' ? "" : id.substr(1);
-}
-
-}  // namespace
 
 int ClipPaths::of(std::string_view value, const Element& element, const Context& context,
                   const std::function<Box()>& box) {
   if (value.empty() || is_same_word(value, "none")) return no_clip;
-  const std::string id = reference_in(value);
+  const std::string id = referenced_id(value);
   if (id.empty()) {
     notices_.add("a clip-path that is no url(#id) of this document cuts nothing off", element);
     return no_clip;

@@ -89,6 +89,14 @@ Paint classify_function(std::string_view name, std::string_view rest) {
 
 bool is_same_word(std::string_view a, std::string_view b) { return lowered(a) == lowered(b); }
 
+std::string referenced_id(std::string_view value) {
+  value.remove_prefix(std::min(value.find_first_not_of(" \t\r\n"), value.size()));
+  if (!is_same_word(value.substr(0, 4), "url(")) return {};
+  std::string id(value.substr(4, value.find(')') - 4));
+  std::erase_if(id, [](char c) { return c == '"' || c == '\'' || c == ' '; });
+  return id.empty() || id.front() != '#' ? "" : id.substr(1);
+}
+
 double fraction_of(std::string_view text, double otherwise) {
   if (!text.empty() && text.front() == '+') text.remove_prefix(1);
   double value = 0;

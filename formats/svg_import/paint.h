@@ -1,5 +1,6 @@
 // formats/svg_import/paint.h: does a paint show anything? CSS colours in every spelling.
 #pragma once
+#include <string>
 #include <string_view>
 
 namespace pliant::svg {
@@ -19,6 +20,9 @@ Paint classify_paint(std::string_view value);
 
 /// Are the words equal if A to Z count as a to z?
 bool is_same_word(std::string_view a, std::string_view b);
+
+/// The id in "url(#id)", which may have quotes and something behind it; empty where the value is no such reference.
+std::string referenced_id(std::string_view value);
 
 /// The number at the start of a text (50% is 0.5); `otherwise` where no number stands there.
 double fraction_of(std::string_view text, double otherwise);

@@ -13,18 +13,16 @@ namespace {
 /// Does the element paint where it is referred to? Gradients and patterns do.
 bool reference_paints(std::string_view paint, const Element& element, const Context& context, const ElementTree& tree,
                       Notices& notices) {
-  const std::size_t end = std::min(paint.find(')'), paint.size());
-  std::string id(paint.substr(4, end - 4));
-  std::erase_if(id, [](char c) { return c == '"' || c == '\'' || c == ' '; });
-  const int target = id.empty() || id.front() != '#' ? no_element : tree.find(id.substr(1));
+  const std::string id = referenced_id(paint);
+  const int target = id.empty() ? no_element : tree.find(id);
   const std::string kind = target == no_element ? "" : tree[target].name;
   if (kind == "pattern" || kind == "hatch") {
     notices.add("a pattern is taken for a colour", element);
   } else if (kind == "linearGradient" || kind == "radialGradient" || kind == "meshgradient" || kind == "solidColor") {
     notices.add("a gradient is taken for a colour", element);
   } else {
-    notices.add("fill refers to a paint that does not exist", element);
-    std::string_view behind = paint.substr(std::min(end + 1, paint.size()));
+    notices.add("a fill or stroke refers to a paint that does not exist", element);
+    std::string_view behind = paint.substr(std::min(paint.find(')'), paint.size() - 1) + 1);
     while (!behind.empty() && behind.front() == ' ') behind.remove_prefix(1);
     return classify_paint(behind) != Paint::reference && paints(behind, element, context, tree, notices);
   }

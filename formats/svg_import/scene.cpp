@@ -4,6 +4,7 @@
 #include <unordered_map>
 #include <unordered_set>
 
+#include "formats/svg_import/areas/painted_strokes.h"
 #include "formats/svg_import/clip_paths.h"
 #include "formats/svg_import/context.h"
 #include "formats/svg_import/paint.h"
@@ -98,15 +99,10 @@ class Walker {
     const auto box = [&] {
       Box all;
       const Affine back = context.map.determinant() == 0 ? Affine{} : context.map.inverse();
-      const auto add = [&](const Outline& outline, const Affine& map) {
-        const Box one = tight_box_of(outline, map);
-        if (!(one.low.x <= one.high.x)) return;
-        all.extend(one.low);
-        all.extend(one.high);
-      };
       for (std::size_t s = first; s < scene_.shapes.size(); ++s)
-        add(scene_.shapes[s].outline, back * scene_.shapes[s].map);
-      for (std::size_t l = first_line; l < scene_.lines.size(); ++l) add(scene_.lines[l].outline, back);
+        extend(all, tight_box_of(scene_.shapes[s].outline, back * scene_.shapes[s].map));
+      for (std::size_t l = first_line; l < scene_.lines.size(); ++l)
+        extend(all, tight_box_of(scene_.lines[l].outline, back));
       return all;
     };
     const int number = clip_paths_.of(value, element, context, box);
@@ -316,12 +312,16 @@ class Walker {
     check_coordinates(element, outline);
     const std::string name = names_.name(element, context.shown_by, number);
     // Where the stroke is painted first, the fill hides what of it lies inside.
-    const bool is_under = context.paint_order.substr(0, 6) == "stroke";
+    const bool is_under = context.paint_order.find("stroke") < context.paint_order.find("fill");
     const int before = static_cast<int>(scene_.shapes.size());
     if (is_line) scene_.lines.push_back({name, outline, before + (is_filled && !is_under ? 1 : 0)});
     const auto add_stroke = [&] {
       Shape stroke{is_filled ? names_.unique(name + " stroke") : name, element.line, false, own_outline};
       stroke.stroke = stroke_style(element, declared, context, notices_);
+      dash_lengths_ += stroke.stroke->dashes.size();
+      if (dash_lengths_ > max_dash_lengths)
+        refuse(element, "the values of stroke-dasharray have more than " + std::to_string(max_dash_lengths) +
+                            " lengths, those of each stroke counted");
       stroke.map = context.map;
       scene_.shapes.push_back(std::move(stroke));
     };
@@ -339,7 +339,7 @@ class Walker {
   ClipPaths clip_paths_;
   std::vector<bool> in_use_;
   std::unordered_map<std::string, long> numbers_;
-  std::size_t steps_ = 0;
+  std::size_t steps_ = 0, dash_lengths_ = 0;
   long visits_ = 0;
 };
 

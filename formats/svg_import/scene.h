@@ -13,7 +13,8 @@ namespace pliant::svg {
 
 inline constexpr std::size_t max_steps = 2'000'000;  ///< steps of all outlines together, each copy by `use` counted
 inline constexpr long max_visits = 1'000'000;        ///< visits of elements, those in copies counted each time
-inline constexpr double max_coordinate = 1e60;       ///< largest coordinate: its fourth power is finite
+inline constexpr std::size_t max_dash_lengths = 2'000'000;  ///< numbers in the dash lists of all strokes together
+inline constexpr double max_coordinate = 1e60;              ///< largest coordinate: its fourth power is finite
 
 /// One filled shape.
 struct Shape {
@@ -32,7 +33,7 @@ struct StrokeLine {
   std::string name;
   Outline outline;           ///< in the units of the result, y upwards
   int above = 0;             ///< how many of the shapes are painted before it
-  std::vector<int> clips{};  ///< as of Shape
+  std::vector<int> clips{};  ///< as in Shape
 };
 
 /// A clip path where an element refers to it: the union of its parts, as far as it lies in all of `clips`.
@@ -56,9 +57,6 @@ struct Scene {
   long strokes = 0;               ///< shapes with a stroke
   std::vector<std::string> warnings;
 };
-
-/// The box of the shape's control points; that of a stroke as if all joins were round, without sharp corners.
-Box box_of(const Shape& shape, const Affine& map = {});
 
 /// Walks the document in the order in which it is painted, and collects what it fills, and strokes.
 /// Throws      InputError with the element's line and column: bad attributes, `use` that contains itself, a clip path

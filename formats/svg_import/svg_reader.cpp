@@ -28,12 +28,7 @@ constexpr const char* not_apart =
 /// The diagonal of the box of all control points and of points on the arcs.
 double size_of(const std::vector<Shape>& shapes) {
   Box box;
-  for (const Shape& shape : shapes) {
-    const Box one = box_of(shape);
-    if (!(one.low.x <= one.high.x)) continue;
-    box.extend(one.low);
-    box.extend(one.high);
-  }
+  for (const Shape& shape : shapes) extend(box, box_of(shape));
   return box.size();
 }
 
@@ -65,18 +60,16 @@ class Drawing {
     loop_options_.degree = options.degree;
     loop_options_.size = import.size;
     loop_options_.tolerance = tolerance;
-    const std::vector<Shape>& shapes = shapes_;
-    LoopCounts& counts = counts_;
-    all_.reserve(shapes.size());
-    for (const Shape& shape : shapes) all_.push_back(make_loops(shape.outline, loop_options_, counts));
-    for (std::size_t s = 0; s < shapes.size(); ++s)
+    all_.reserve(shapes_.size());
+    for (const Shape& shape : shapes_) all_.push_back(make_loops(shape.outline, loop_options_, counts_));
+    for (std::size_t s = 0; s < shapes_.size(); ++s)
       for (const Loop& loop : all_[s]) loops_.push_back({static_cast<int>(s), &loop});
-    import.no_area = counts.no_area;
-    import.pieces = counts.pieces;
-    import.fitted = counts.fitted;
-    import.smooth = counts.smooth;
-    import.corners = counts.corners;
-    import.error = counts.fit_error + counts.join_error;
+    import.no_area = counts_.no_area;
+    import.pieces = counts_.pieces;
+    import.fitted = counts_.fitted;
+    import.smooth = counts_.smooth;
+    import.corners = counts_.corners;
+    import.error = counts_.fit_error + counts_.join_error;
   }
 
   bool empty() const { return loops_.empty(); }
@@ -236,10 +229,6 @@ class Drawing {
   std::vector<ShapeLoop> loops_;
   std::size_t next_loop_ = 0;
 };
-
-}  // namespace
-
-namespace {
 
 LoopCounts count_pieces(const std::vector<Shape>& shapes, int degree, double tolerance, double size) {
   LoopOptions options;

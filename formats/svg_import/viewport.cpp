@@ -1,4 +1,4 @@
-// formats/svg_import/viewport.cpp: viewBox and preserveAspectRatio.
+// formats/svg_import/viewport.cpp: viewBox, preserveAspectRatio, and the size of the page.
 #include "formats/svg_import/viewport.h"
 
 #include <algorithm>

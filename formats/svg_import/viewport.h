@@ -1,4 +1,4 @@
-// formats/svg_import/viewport.h: viewBox and preserveAspectRatio.
+// formats/svg_import/viewport.h: viewBox, preserveAspectRatio, and the size of the page.
 #pragma once
 #include <optional>
 
@@ -25,8 +25,7 @@ Viewport root_viewport(const Element& root, double font_size);
 /// height that is missing, auto or a percentage follows from the other one and the viewBox; where both are, a user unit
 /// is a px.
 /// Throws      InputError where the page has no size: a width or height of 0 or less, or in parts of a window; a
-/// viewBox
-///             without extent
+///             viewBox without extent
 Affine page_map(const Element& root, const Viewport& viewport);
 
 /// A px in the unit.

@@ -1,11 +1,7 @@
 // node browser.mjs FILE.glb PICTURE.png: shows a glTF file in headless Chromium by three.js, at an angle and in light,
 // and takes a screenshot. Its packages are those of tests/browser (npm ci there).
-import { existsSync, readFileSync } from 'node:fs';
-import { createServer } from 'node:http';
-import { createRequire } from 'node:module';
+import { launch, opened, serve } from '../../tests/browser/chromium.mjs';
 
-const packages = new URL('../../tests/browser/', import.meta.url);
-const { chromium } = createRequire(new URL('package.json', packages))('playwright-core');
 const [file, picture] = process.argv.slice(2);
 const page = `<!doctype html><style>body { margin: 0 }</style>
 <script type="importmap">{"imports": {"three": "/npm/three/build/three.module.js",
@@ -30,24 +26,11 @@ camera.lookAt(sphere.center);
 renderer.render(scene, camera);
 document.title = 'ready';
 </script>`;
-const server = createServer((request, response) => {
-  const path = new URL(`node_modules/${request.url.slice(5)}`, packages);
-  if (request.url === '/') response.setHeader('content-type', 'text/html').end(page);
-  else if (request.url === '/file') response.end(readFileSync(file));
-  else if (request.url.startsWith('/npm/') && existsSync(path))
-    response.setHeader('content-type', 'text/javascript').end(readFileSync(path));
-  else response.writeHead(404).end();
-});
-await new Promise((ready) => server.listen(0, '127.0.0.1', ready));
-const browser = await chromium.launch({
-  executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium',
-  args: ['--no-sandbox', '--disable-quic', '--no-first-run', '--disable-background-networking',
-    '--disable-component-update', '--disable-sync'],
-});
+const server = await serve(page, () => file);
+const browser = await launch();
 try {
   const tab = await browser.newPage({ viewport: { width: 640, height: 400 } });
-  await tab.goto(`http://127.0.0.1:${server.address().port}/`);
-  await tab.waitForFunction(() => document.title === 'ready', { timeout: 60000 });
+  await opened(tab, server.address);
   await tab.screenshot({ path: picture });
 } finally {
   await browser.close();

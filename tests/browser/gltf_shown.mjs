@@ -1,9 +1,7 @@
 // node gltf_shown.mjs FOLDER: opens files in three.js. Of the series (one, three and one round cells, one frame a
 // second; quantized and not) it compares the coloured part of the picture at several times with the area of the cells;
 // of the cells lifted by their y it compares what is seen from the side, and the colours at the bottom and the top.
-import { existsSync, readFileSync } from 'node:fs';
-import { createServer } from 'node:http';
-import { chromium } from 'playwright-core';
+import { check, exit, launch, opened, serve } from './chromium.mjs';
 
 const page = `<!doctype html><script type="importmap">{"imports": {"three": "/npm/three/build/three.module.js",
 "three/addons/": "/npm/three/examples/jsm/"}}</script><script type="module">
@@ -55,32 +53,12 @@ window.covered = (time) => {
 document.title = 'ready';
 </script>`;
 
-const server = createServer((request, response) => {
-  const path = new URL(`./node_modules/${request.url.slice(5)}`, import.meta.url);
-  if (request.url.startsWith('/?')) response.setHeader('content-type', 'text/html').end(page);
-  else if (request.url.startsWith('/file?')) response.end(readFileSync(`${process.argv[2]}/${request.url.slice(6)}.glb`));
-  else if (request.url.startsWith('/npm/') && existsSync(path))
-    response.setHeader('content-type', 'text/javascript').end(readFileSync(path));
-  else response.writeHead(404).end();
-});
-await new Promise((ready) => server.listen(0, '127.0.0.1', ready));
-const browser = await chromium.launch({
-  executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium',
-  args: ['--no-sandbox', '--disable-quic', '--no-first-run', '--disable-background-networking',
-    '--disable-component-update', '--disable-sync'],
-});
-let failed = 0;
+const server = await serve(page, (name) => `${process.argv[2]}/${name}.glb`);
+const browser = await launch();
 try {
   const tab = await browser.newPage();
   tab.on('pageerror', (error) => console.log(String(error)));
-  const open = async (name) => {
-    await tab.goto(`http://127.0.0.1:${server.address().port}/?${name}`);
-    await tab.waitForFunction(() => document.title === 'ready', { timeout: 60000 });
-  };
-  const check = (claim, good, seen) => {
-    console.log(`${good ? 'ok    ' : 'FAILED'} ${claim}: ${seen}`);
-    if (!good) failed++;
-  };
+  const open = (name) => opened(tab, `${server.address}?${name}`);
   // Areas of the hand-made cells of degree 2 with 8 spans: 2.6 times the square of the radius, and their outlines.
   const one = 2.62, three = one * (1 + 1 + 1.25 * 1.25);
   for (const name of ['series', 'float']) {
@@ -103,4 +81,4 @@ try {
   await browser.close();
   server.close();
 }
-process.exit(failed ? 1 : 0);
+exit();

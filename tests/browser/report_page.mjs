@@ -1,19 +1,10 @@
 // node report_page.mjs FOLDER: opens the pages that report_page.sh made, and compares what they show with the tables
 // (CSV) of the same meshes.
 import { readFileSync } from 'node:fs';
-import { chromium } from 'playwright-core';
+import { check, exit, launch } from './chromium.mjs';
 
 const folder = process.argv[2];
-const browser = await chromium.launch({
-  executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium',
-  args: ['--no-sandbox', '--disable-quic', '--no-first-run', '--disable-background-networking',
-    '--disable-component-update', '--disable-sync'],
-});
-let failed = 0;
-const check = (claim, good, seen = '') => {
-  console.log(`${good ? 'ok    ' : 'FAILED'} ${claim}${good && seen === '' ? '' : `: ${seen}`}`);
-  if (!good) failed++;
-};
+const browser = await launch();
 
 // No cell of these tables holds a comma, but for names of faces, which are left out.
 function table(name) {
@@ -236,4 +227,4 @@ for (const degree of [1, 2, 3, 5]) {
 }
 
 await browser.close();
-process.exit(failed ? 1 : 0);
+exit();

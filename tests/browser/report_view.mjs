@@ -3,18 +3,10 @@
 import { execFile, spawn } from 'node:child_process';
 import { existsSync, mkdtempSync, readFileSync, rmSync } from 'node:fs';
 import { promisify } from 'node:util';
-import { chromium } from 'playwright-core';
+import { args, check, executablePath, exit, launch } from './chromium.mjs';
 
 const folder = process.argv[2], address = `file://${folder}/view.html`;
-const executablePath = process.env.CHROMIUM ?? '/usr/bin/chromium';
-const args = ['--no-sandbox', '--disable-quic', '--no-first-run', '--disable-background-networking',
-  '--disable-component-update', '--disable-sync'];
-const browser = await chromium.launch({ executablePath, args });
-let failed = 0;
-const check = (claim, good, seen = '') => {
-  console.log(`${good ? 'ok    ' : 'FAILED'} ${claim}${good && seen === '' ? '' : `: ${seen}`}`);
-  if (!good) failed++;
-};
+const browser = await launch();
 async function open(hash = '', options = {}) {
   const context = await browser.newContext({ viewport: { width: 1000, height: 700 }, offline: true, reducedMotion: 'reduce', ...options });
   const tab = await context.newPage();
@@ -141,4 +133,4 @@ const first = [0x44, 0x01, 0x54], last = [0xfd, 0xe7, 0x25], middle = [0x23, 0x8
 }
 
 await browser.close();
-process.exit(failed ? 1 : 0);
+exit();

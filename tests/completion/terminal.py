@@ -3,7 +3,6 @@ import os
 import pty
 import re
 import select
-import shutil
 import signal
 import time
 
@@ -49,7 +48,3 @@ class Terminal:
 
 # `show WORDS...` prints the words between marks.
 SHOW = r"""show() { printf '\002'; printf '%s\037' "$@"; printf '\003\n'; }"""
-
-
-def have(program):
-    return shutil.which(program) is not None

@@ -106,7 +106,8 @@ TEST_CASE("each kind of thing that is not read is named in one warning", "[svg]"
         "filters change nothing", "text is not read (2 times", "image is not read (line 2)",
         "use without href shows nothing", "other files are not read (use)",
         "use refers to an element that does not exist", "animation is not run", "elements flowRoot are not read",
-        "scripts are not run", "foreignObject is not read", "fill refers to a paint that does not exist (2 times"})
+        "scripts are not run", "foreignObject is not read",
+        "a fill or stroke refers to a paint that does not exist (2 times"})
     CHECK_THAT(text, Catch::Contains(expected));
   CHECK(std::count(text.begin(), text.end(), '\n') == 16);
 }

@@ -83,6 +83,12 @@ TEST_CASE("dashes paint their lengths, from the offset on, and through the start
   CHECK_THROWS_WITH(painted("<line x2='1e9' stroke-dasharray='1e-3'/>"), Catch::Contains("dashes"));
   // The dashes of all subpaths count: 90,000 are read, twice as many are not.
   CHECK_THROWS_WITH(painted("<path d='M0 0h9000M0 9h9000' stroke-dasharray='.1'/>"), Catch::Contains("100000 dashes"));
+  // A list of dashes is kept for each stroke that inherits it.
+  std::string list, lines;
+  for (int i = 0; i < 2000; ++i) list += "1 ";
+  for (int i = 0; i < 1001; ++i) lines += "<path d='M0 0h1'/>";
+  CHECK_THROWS_WITH(painted("<g stroke-dasharray='" + list + "'>" + lines + "</g>"),
+                    Catch::Contains("more than 2000000 lengths"));
 }
 
 TEST_CASE("a stroke with round joins and caps paints what is within half its width of the path", "[svg][strokes]") {
@@ -155,6 +161,12 @@ TEST_CASE("strokes have the names of their shapes, and a default that leaves the
   CHECK(import.boundary.faces[2].name == "b");
   CHECK(face_area(import.boundary, "a") == Approx(64));
   CHECK(face_area(import.boundary, "a stroke") == Approx(36));
+  // The fill hides half of a stroke that is painted before it.
+  for (const auto& [order, fill] : std::vector<std::pair<std::string, double>>{
+           {"normal", 64}, {"fill", 64}, {"markers", 64}, {"stroke", 81}, {"markers stroke", 81}}) {
+    const std::string text = "<rect id='a' width='9' height='9' stroke='red' paint-order='" + order + "'/>";
+    CHECK(face_area(read(samples::svg(text), options).boundary, "a") == Approx(fill));
+  }
   for (const char* d : {"stroke-width='0'", "stroke-opacity='0'", "visibility='hidden'", "opacity='0'"})
     CHECK_THROWS(read_svg(samples::svg("<line x2='9' stroke='red' " + std::string(d) + "/>"), options));
   CHECK_THROWS_WITH(read_svg(samples::svg("<line x2='9' stroke='red'/>")), Catch::Contains("--strokes area"));

@@ -5,8 +5,11 @@ import os
 import pathlib
 import re
 import subprocess
-import tempfile
+import sys
 import unittest
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "support"))
+from scratch import InScratch  # noqa: E402
 
 GMSH = os.environ.get("GMSH", "gmsh")
 FORMATS = [("msh41", ()), ("msh41", ("--binary",)), ("msh22", ()), ("msh22", ("--binary",))]
@@ -48,17 +51,11 @@ def control_values(mesh):
     return result
 
 
-class Fields(unittest.TestCase):
+class Fields(InScratch):
     @classmethod
     def setUpClass(cls):
-        cls.folder = tempfile.TemporaryDirectory()
-        os.chdir(cls.folder.name)
+        super().setUpClass()
         pathlib.Path("cell.geo").write_text(GEOMETRY)
-
-    @classmethod
-    def tearDownClass(cls):
-        os.chdir("/")
-        cls.folder.cleanup()
 
     def document(self, degree):
         fields = ["--field", "u=sin(3*x)*cos(2*y)", "--field", "v=x*y,1-x*x", "--field", "w=x,y,x+y"]

@@ -4,11 +4,14 @@ import json
 import os
 import pathlib
 import subprocess
-import tempfile
+import sys
 import unittest
 from collections import defaultdict
 
 import msh2
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "support"))
+from scratch import InScratch  # noqa: E402
 
 SOURCE = pathlib.Path(os.environ.get("SOURCE", pathlib.Path(__file__).resolve().parent.parent.parent))
 GMSH = os.environ.get("GMSH", "gmsh")
@@ -53,18 +56,12 @@ def run(*words, status=0):
     return done
 
 
-class Meshes(unittest.TestCase):
+class Meshes(InScratch):
     @classmethod
     def setUpClass(cls):
-        cls.folder = tempfile.TemporaryDirectory()
-        os.chdir(cls.folder.name)
+        super().setUpClass()
         for name, text in GEOMETRIES.items():
             pathlib.Path(name + ".geo").write_text(text + "\n")
-
-    @classmethod
-    def tearDownClass(cls):
-        os.chdir("/")
-        cls.folder.cleanup()
 
     def gmsh(self, geometry, order, form="msh22", binary=False, numbers=()):
         """The file that Gmsh makes, once each."""

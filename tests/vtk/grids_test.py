@@ -1,19 +1,18 @@
 #!/usr/bin/python3
 """What VTK makes of the files of export-vtu: points and values on each element, names, times, series."""
 import math
-import os
 import pathlib
 import sys
-import tempfile
 import unittest
 import xml.etree.ElementTree as ElementTree
 
 import vtk
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "formats/vtu"))
-from vtu_files import Document, evaluate, run  # noqa: E402
+for folder in ("formats/vtu", "support"):
+    sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / folder))
+from scratch import InScratch  # noqa: E402
+from vtu_files import EXAMPLES, Document, evaluate, make_mesh, run  # noqa: E402
 
-EXAMPLES = pathlib.Path(__file__).resolve().parent.parent.parent / "samples/examples"
 # Corners, points on edges, inner ones: barycentric coordinates in 60ths, which doubles cannot hold exactly.
 NODES = [(60, 0, 0), (0, 60, 0), (0, 0, 60), (20, 40, 0), (0, 7, 53), (31, 0, 29), (20, 20, 20), (1, 58, 1), (13, 17, 30)]
 
@@ -35,23 +34,10 @@ def strings(grid, name):
     return [array.GetValue(k) for k in range(array.GetNumberOfValues())]
 
 
-class Grids(unittest.TestCase):
-    @classmethod
-    def setUpClass(cls):
-        cls.folder = tempfile.TemporaryDirectory()
-        os.chdir(cls.folder.name)
-
-    @classmethod
-    def tearDownClass(cls):
-        os.chdir("/")
-        cls.folder.cleanup()
-
+class Grids(InScratch):
     def document(self, kind, degree):
         """A mesh with the fields u, v (two components) and jump (by face)."""
-        made = run("bspline2mesh", "-q", "--degree", str(degree), "--field", "u=x-y", EXAMPLES / kind) \
-            if kind.endswith(".json") else run("sample_mesh", kind, str(degree), "0.25")
-        pathlib.Path("mesh.json").write_bytes(made.stdout)
-        document = Document("mesh.json")
+        document = make_mesh(kind, degree, "0.25")
         document.add_field("v", lambda x, y, face: [math.sin(x), x * y], 2)
         document.add_field("jump", lambda x, y, face: [math.cos(3 * y) + 7 * face], 1, True)
         document.save("mesh.json")

@@ -63,6 +63,13 @@ Box box_of(const Outline& outline, const Affine& map = {});
 /// The least box of a mapped outline.
 Box tight_box_of(const Outline& outline, const Affine& map = {});
 
+/// Extends a box by another one, which may be empty.
+inline void extend(Box& box, const Box& by) {
+  if (!(by.low.x <= by.high.x)) return;
+  box.extend(by.low);
+  box.extend(by.high);
+}
+
 /// SVG's arc from one point to another (appendix B.2 of SVG 2): radii of 0 make a line, radii too small grow.
 /// `turned` is the angle of the first axis, in degrees.
 void add_arc(Outline& out, const Point& from, double rx, double ry, double turned, bool large, bool sweep,

@@ -1,4 +1,4 @@
-// formats/svg_import/areas/painted_strokes.cpp: the strokes of a scene become the areas that they paint.
+// formats/svg_import/areas/painted_strokes.cpp: how far shapes reach, and the areas that strokes of a scene paint.
 #include "formats/svg_import/areas/painted_strokes.h"
 
 #include "pliant/boundary/fault.h"

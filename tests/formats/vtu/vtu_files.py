@@ -12,6 +12,7 @@ import zlib
 from fractions import Fraction
 
 TYPES = {"Float64": "d", "Int64": "q", "Int32": "i", "UInt8": "B"}
+EXAMPLES = pathlib.Path(__file__).resolve().parent.parent.parent.parent / "samples/examples"
 BEZIER, LAGRANGE = {"triangle": 76, "curve": 75}, {"triangle": 69, "curve": 68}
 
 
@@ -20,6 +21,14 @@ def run(*words, status=0, text=None):
     if done.returncode != status:
         raise AssertionError(f"{words}: status {done.returncode}: {done.stderr[:2000]}")
     return done
+
+
+def make_mesh(kind, degree, time="0"):
+    """Writes mesh.json, with the field u: a kind of sample_mesh (degree 1 to 7), or the mesh of a boundary of samples/examples."""
+    made = run("bspline2mesh", "-q", "--degree", str(degree), "--field", "u=x-y", EXAMPLES / kind) \
+        if kind.endswith(".json") else run("sample_mesh", kind, str(degree), time)
+    pathlib.Path("mesh.json").write_bytes(made.stdout)
+    return Document("mesh.json")
 
 
 def inflate(data, offset):

@@ -6,13 +6,14 @@ import json
 import math
 import os
 import pathlib
-import tempfile
+import sys
 import unittest
 import xml.etree.ElementTree as ElementTree
 
-from vtu_files import BEZIER, LAGRANGE, Document, Grid, evaluate, run, vtk_order
+from vtu_files import BEZIER, LAGRANGE, Document, Grid, evaluate, make_mesh, run, vtk_order
 
-EXAMPLES = pathlib.Path(__file__).resolve().parent.parent.parent.parent / "samples/examples"
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent.parent / "support"))
+from scratch import InScratch  # noqa: E402
 
 EMPTY = {"format": "pliant-mesh", "version": 1, "degree": 2, "points": [], "triangles": [], "triangle_faces": [],
          "constrained_edges": [], "boundary": {"vertices": [], "faces": [], "curves": []}}
@@ -26,23 +27,10 @@ def row(*values):
     return lambda x, y, face: [value * (1 + x) + y for value in values]
 
 
-class Vtu(unittest.TestCase):
-    @classmethod
-    def setUpClass(cls):
-        cls.folder = tempfile.TemporaryDirectory()
-        os.chdir(cls.folder.name)
-
-    @classmethod
-    def tearDownClass(cls):
-        os.chdir("/")
-        cls.folder.cleanup()
-
+class Vtu(InScratch):
     def document(self, kind, degree, *fields, time="0"):
         """A small mesh with the field u and these: a kind of sample_mesh (degree 1 to 7), or that of a boundary."""
-        made = run("bspline2mesh", "-q", "--degree", str(degree), "--field", "u=x-y", EXAMPLES / kind) \
-            if kind.endswith(".json") else run("sample_mesh", kind, str(degree), time)
-        pathlib.Path("mesh.json").write_bytes(made.stdout)
-        document = Document("mesh.json")
+        document = make_mesh(kind, degree, time)
         for field in fields:
             document.add_field(*field)
         document.save("mesh.json")
