@@ -1,17 +1,20 @@
 #!/usr/bin/env python3
 """Validates the documents that the tests before this one have collected: `documents_test.py FOLDER SOURCE`.
 
-Documents up to 24 KB are validated by python3-jsonschema; with AJV, the folder of the npm package, larger ones by it as well."""
+README.md beside this file says which ones these are. All are validated by python3-jsonschema, and with AJV, the folder
+of the npm package, by it as well."""
+import collections
 import json
+import multiprocessing
 import os
 import pathlib
-import re
 import subprocess
 import sys
 import warnings
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "support"))
-import cbor
+source = pathlib.Path(sys.argv[2])
+sys.path.insert(0, str(source / "tests" / "support"))
+import cbor  # noqa: E402
 
 warnings.simplefilter("ignore", DeprecationWarning)
 try:
@@ -20,37 +23,41 @@ except ImportError:
     print("python3-jsonschema is missing")
     sys.exit(77)
 
-folder, source = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])
-small = 24 * 1024
+WANTED = {"mesh", "boundary", "report", "pass_report", "evolve_log"}
 schemas = {file.name.split(".")[0]: json.loads(file.read_text()) for file in (source / "formats").glob("*.schema.json")}
 store = {f"{name}.schema.json": schema for name, schema in schemas.items()}
-validators = {name: jsonschema.Draft202012Validator(schema, resolver=jsonschema.RefResolver(f"{name}.schema.json", schema, store=store))
+validators = {name: jsonschema.Draft202012Validator(
+                  schema, resolver=jsonschema.RefResolver(f"{name}.schema.json", schema, store=store))
               for name, schema in schemas.items()}
-failures, counts, large = [], {}, []
 
 
-def schema_of(kind, document):
-    """Documents say themselves what they are; lines of reports and logs do not, and the option that wrote them does."""
-    return document.get("format", "").removeprefix("pliant-") if kind == "document" else kind
-
-
-for file in sorted(folder.glob("*-*.json")) + sorted(folder.glob("*-*.cbor")):
-    kind = file.name.split("-")[0]
+def parts_of(file):
+    """What of a file has a schema, each with the schema's name: documents say themselves what they are; lines of
+    reports and logs do not, and the option that wrote them does. A mesh may carry a problem."""
     data = file.read_bytes()
-    documents = list(cbor.sequence(data)) if file.suffix == ".cbor" else [json.loads(data)]
-    for document in documents:
-        name = schema_of(kind, document)
-        if name not in validators:
-            failures.append(f"{file}: no schema for '{name}'")
-            continue
-        counts[name] = counts.get(name, 0) + 1
-        if len(data) > small:
-            large.append((name, file, document))
-            continue
-        failures += [f"{file}: {error.json_path}: {error.message[:200]}" for error in validators[name].iter_errors(document)]
-        if "problem" in document and name == "mesh":
-            failures += [f"{file}: problem: {error.json_path}: {error.message[:200]}"
-                         for error in validators["problem"].iter_errors(document["problem"])]
+    kind = file.name.split("-")[0]
+    for document in cbor.sequence(data) if file.suffix == ".cbor" else [json.loads(data)]:
+        name = document.get("format", "").removeprefix("pliant-") if kind == "document" else kind
+        yield name, document
+        if name == "mesh" and "problem" in document:
+            yield "problem", document["problem"]
+
+
+def validate(file):
+    """The names of the schemas, and what they refuse."""
+    names, faults = [], []
+    try:
+        for name, document in parts_of(file):
+            names.append(name)
+            if name not in validators:
+                faults.append(f"{file}: no schema for '{name}'")
+                continue
+            faults += [f"{file}: {error.json_path}: {error.message[:200]}"
+                       for error in validators[name].iter_errors(document)]
+    except (AssertionError, AttributeError, IndexError, ValueError) as error:
+        faults.append(f"{file}: cannot be read: {error!r}")
+    return names, faults
+
 
 AJV = """
 import { createRequire } from 'node:module';
@@ -64,18 +71,41 @@ for (const [name, file, document] of documents) {
   if (!validate(document)) console.log(file + ': ' + ajv.errorsText(validate.errors).slice(0, 300));
 }
 """
-if "AJV" in os.environ:
-    files = [[name, str(file), document] for name, file, document in large]
-    done = subprocess.run(["node", "--input-type=module", "-e", AJV, "--", os.environ["AJV"]], text=True, capture_output=True,
-                          input=json.dumps({"schemas": schemas, "documents": files}))
-    failures += done.stdout.splitlines() + ([done.stderr] if done.returncode else [])
-print(", ".join(f"{count} of {name}" for name, count in sorted(counts.items())), f"; {len(large)} above {small} bytes")
-print("\n".join(failures))
-wanted = {"mesh", "boundary", "report", "pass_report", "evolve_log"}
-if not counts:
-    print("no test that collects documents has run before this one")
-    sys.exit(77)
-if "ALL_KINDS" in os.environ and not wanted <= set(counts):
-    print("no documents were collected of", wanted - set(counts))
-    sys.exit(1)
-sys.exit(1 if failures else 0)
+
+
+def faults_by_ajv(files):
+    documents = [[name, str(file), document] for file in files for name, document in parts_of(file)]
+    done = subprocess.run(["node", "--input-type=module", "-e", AJV, "--", os.environ["AJV"]], text=True,
+                          capture_output=True, input=json.dumps({"schemas": schemas, "documents": documents}))
+    return done.stdout.splitlines() + ([done.stderr] if done.returncode else [])
+
+
+def main():
+    folder = pathlib.Path(sys.argv[1])
+    files = [*folder.glob("*-*.json"), *folder.glob("*-*.cbor")]
+    files.sort(key=lambda file: file.stat().st_size, reverse=True)
+    large = [file for file in folder.glob("*.large") if not file.with_suffix("").exists()]
+    if not files:
+        print("no test that collects documents has run before this one")
+        return 77
+    with multiprocessing.Pool() as pool:
+        found = pool.map(validate, files, chunksize=1)
+    faults = [fault for _, some in found for fault in some]
+    counts = collections.Counter(name for names, _ in found for name in names)
+    tools = collections.Counter(file.name.split("-", 1)[1].rpartition("-")[0] for file in files)
+    print(f"{len(files)} documents, of each tool and shape the smallest:",
+          ", ".join(f"{n} of {name}" for name, n in sorted(counts.items())))
+    print("written by", ", ".join(f"{tool} ({n})" for tool, n in sorted(tools.items())))
+    print(f"not validated, since there are none below 1 MB: {len(large)} shapes", *sorted(file.name for file in large))
+    if not faults and "AJV" in os.environ:
+        faults = faults_by_ajv(files)
+        print("validated by ajv as well")
+    print("\n".join(faults))
+    if "ALL_KINDS" in os.environ and not WANTED <= set(counts):
+        print("no documents were collected of", WANTED - set(counts))
+        return 1
+    return 1 if faults else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -42,9 +42,11 @@ inline std::string quoted(const std::string& word) { return "'" + word + "'"; }
 /// What the pipe writes for a document: standard output.   Throws std::runtime_error where a tool fails
 inline std::string output_of(const Pipe& pipe, const std::string& document) {
   const TemporaryFile input(document);
-  std::string command = "cat " + quoted(input.path());
+  // The tools of this build, but behind those that collect documents (tests/documents), if there is a collection.
+  std::string command =
+      "PATH=${DOCUMENTS:+$DOCUMENTS/../bin:}" + quoted(PLIANT_BIN) + ":$PATH; cat " + quoted(input.path());
   for (const Words& words : pipe) {
-    command += std::string(" | ") + PLIANT_BIN + "/" + words.front();
+    command += " | " + words.front();
     for (std::size_t k = 1; k < words.size(); ++k) command += " " + quoted(words[k]);
     command += " -q";
   }
