@@ -36,7 +36,7 @@ std::string read_input(const std::string& path, const std::string& name) {
     if (file == nullptr) throw std::system_error(errno, std::generic_category(), name);
   }
   ByteSource source(file == nullptr ? stdin : file.get(), name);
-  return pliant::read_all(source);
+  return read_all(source, most_svg_bytes);
 }
 
 PassReport summarize(const SvgImport& import) {

@@ -4,12 +4,12 @@
 #include <unistd.h>
 #include <zlib.h>
 #include <zstd.h>
+#include <zstd_errors.h>
 
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <new>
-#include <stdexcept>
 #include <string_view>
 #include <system_error>
 #include <utility>
@@ -32,6 +32,9 @@ struct Packed {
   std::string_view view() const { return {data(), size()}; }
 };
 
+/// Thrown for bytes that take more memory to decompress than zstd gives without being told to, which is 128 MB.
+struct WindowTooLarge {};
+
 class Decompressor {
  public:
   enum class Step { more, member_end };
@@ -40,6 +43,7 @@ class Decompressor {
   Decompressor(const Decompressor&) = delete;
   Decompressor& operator=(const Decompressor&) = delete;
   /// Uses some of the packed bytes, adds to `made`; null, or what is wrong with them.
+  /// Throws      WindowTooLarge
   virtual const char* run(Packed& packed, char* to, std::size_t count, std::size_t& made) = 0;
   /// Between two members, or before the first.
   virtual bool is_at_end() const = 0;
@@ -98,6 +102,7 @@ class ZstdDecompressor : public Decompressor {
     packed.begin += in.pos;
     made = out.pos;
     is_at_end_ = result == 0;
+    if (ZSTD_getErrorCode(result) == ZSTD_error_frameParameter_windowTooLarge) throw WindowTooLarge{};
     return ZSTD_isError(result) != 0 ? ZSTD_getErrorName(result) : nullptr;
   }
   bool is_at_end() const override { return is_at_end_; }
@@ -153,6 +158,15 @@ struct ByteSource::State {
     is_known = true;
   }
 
+  const char* run_decompressor(char* to, std::size_t count, std::size_t& made) {
+    try {
+      return decompressor->run(packed, to, count, made);
+    } catch (const WindowTooLarge&) {
+      throw InputError("", name + ": zstd compressed it with a window of more than 128 MB (--long): " +
+                               "zstd -dc --long=31 FILE | TOOL reads it");
+    }
+  }
+
   std::size_t decompress(char* to, std::size_t count) {
     constexpr std::size_t block = 1 << 16;
     for (;;) {
@@ -164,7 +178,7 @@ struct ByteSource::State {
       if (packed.size() == 0 && decompressor->is_at_end()) return 0;
       std::size_t made = 0;
       const std::size_t before = packed.size();
-      if (const char* fault = decompressor->run(packed, to, count, made))
+      if (const char* fault = run_decompressor(to, count, made))
         throw InputError("", name + ": what " + decompressor->name() + " compressed is damaged: " + fault);
       if (made > 0) return made;
       if (packed.size() == before && is_over)
@@ -190,18 +204,29 @@ std::size_t ByteSource::read(char* to, std::size_t count) {
   return given;
 }
 
+std::string ByteSource::compressed_by() const { return state_->decompressor ? state_->decompressor->name() : ""; }
 std::FILE* ByteSource::stream() const { return state_->stream; }
 const std::string& ByteSource::name() const { return state_->name; }
 
 std::string read_all(ByteSource& source, std::size_t most) {
   std::string bytes;
+  const auto refuse = [&](std::size_t size, const std::string& reason) {
+    constexpr std::size_t megabyte = 1'000'000;
+    const std::string compression = source.compressed_by();
+    throw InputError("", source.name() + ": is longer than " + std::to_string(size / megabyte) + " MB" +
+                             (compression.empty() ? "" : " once " + compression + " decompresses it") + ", " + reason);
+  };
   constexpr std::size_t block = 1 << 16;
-  for (std::size_t got = 1; got > 0;) {
-    const std::size_t before = bytes.size();
-    bytes.resize(before + block);
-    got = source.read(bytes.data() + before, block);
-    bytes.resize(before + got);
-    if (bytes.size() > most) throw std::length_error(source.name());
+  try {
+    for (std::size_t got = 1; got > 0;) {
+      const std::size_t before = bytes.size();
+      bytes.resize(before + block);
+      got = source.read(bytes.data() + before, block);
+      bytes.resize(before + got);
+      if (bytes.size() > most) refuse(most, "and no more is read of such a file");
+    }
+  } catch (const std::bad_alloc&) {
+    refuse(bytes.size(), "and there is no memory for more");
   }
   return bytes;
 }

@@ -76,11 +76,12 @@ struct Freer {
 }  // namespace
 
 struct DocumentStream::State {
-  State(std::FILE* stream, std::string name) : source(stream, std::move(name)) {}
+  State(std::FILE* stream, std::string name, std::size_t most) : source(stream, std::move(name)), most(most) {}
   State(const State&) = delete;
   State& operator=(const State&) = delete;
 
   ByteSource source;
+  std::size_t most;                     // that the buffer may have
   std::unique_ptr<char, Freer> buffer;  // [begin, end) is read and not yet given away
   std::size_t room = 0, begin = 0, end = 0;
   bool at_end = false;
@@ -112,12 +113,27 @@ struct DocumentStream::State {
 
   /// By realloc, which moves pages rather than bytes and clears none.
   void grow() {
-    const std::size_t wanted = std::max<std::size_t>(2 * room, 1 << 16);
-    char* larger = static_cast<char*>(std::realloc(buffer.get(), wanted));
-    if (larger == nullptr) throw std::bad_alloc();
+    const std::size_t wanted = std::min(std::max<std::size_t>(2 * room, 1 << 16), most);
+    char* larger = wanted > room ? static_cast<char*>(std::realloc(buffer.get(), wanted)) : nullptr;
+    if (larger == nullptr) throw DocumentTooLong(describe_excess());
     (void)buffer.release();
     buffer.reset(larger);
     room = wanted;
+  }
+
+  std::string describe_excess() const {
+    const bool is_cbor = end > begin && begins_cbor(buffer.get()[begin]);
+    const std::string compression = source.compressed_by();
+    std::string text = source.name();
+    if (frame >= 0)
+      text += (is_cbor ? "" : ":" + std::to_string(first_line)) + ": frame " + std::to_string(frame) +
+              ": the document that begins here";
+    else
+      text += ": the file";
+    constexpr std::size_t megabyte = 1'000'000;
+    return text + " has not ended after " + std::to_string((end - begin) / megabyte) + " MB" +
+           (compression.empty() ? "" : " of what " + compression + " had compressed") +
+           ", and there is no memory for more: a smaller one is wanted";
   }
 
   /// The bytes of a regular file that starts like this, unless something has been read; otherwise none.
@@ -196,20 +212,30 @@ struct DocumentStream::State {
     }
   }
 
-  /// The offset of the next line break at or behind `offset`, or of the end of the stream.
+  /// The offset of the next line break at or behind `offset`, or of the end of the stream; on a line that goes on for
+  /// long, of a place on it. What stands there is white space or will be refused, and need not be held in memory.
   std::size_t find_line_end(std::size_t offset) {
+    constexpr std::size_t long_line = 1 << 16;
+    const std::size_t limit = offset + long_line;
     for (;;) {
       const char* first = buffer.get() + begin;
-      if (const void* found = std::memchr(first + offset, '\n', end - begin - offset))
+      const std::size_t there = std::min(end - begin, limit);
+      if (const void* found = std::memchr(first + offset, '\n', there - offset))
         return static_cast<std::size_t>(static_cast<const char*>(found) - first);
-      offset = end - begin;
-      if (!fill()) return offset;
+      offset = there;
+      if (offset == limit || !fill()) return offset;
     }
   }
 };
 
-DocumentStream::DocumentStream(std::FILE* stream, std::string name)
-    : state_(std::make_unique<State>(stream, std::move(name))) {}
+std::size_t DocumentStream::memory_for_a_document() {
+  const long pages = ::sysconf(_SC_PHYS_PAGES), bytes_of_page = ::sysconf(_SC_PAGESIZE);
+  if (pages <= 0 || bytes_of_page <= 0) return static_cast<std::size_t>(-1);
+  return static_cast<std::size_t>(pages) / 4 * 3 * static_cast<std::size_t>(bytes_of_page);
+}
+
+DocumentStream::DocumentStream(std::FILE* stream, std::string name, std::size_t most)
+    : state_(std::make_unique<State>(stream, std::move(name), most)) {}
 DocumentStream::~DocumentStream() = default;
 
 bool DocumentStream::next(std::string_view& document) {

@@ -49,6 +49,60 @@ Kind recognize_document(std::string_view head) {
   return {"a JSON document", "", true};
 }
 
+/// A header of tar's, of any age: 512 bytes with the sum of all in it, for which its own digits count as spaces.
+bool begins_tar(std::string_view head) {
+  constexpr std::size_t header = 512, sum_at = 148, sum_digits = 8;
+  if (head.size() < header) return false;
+  long sum = 0, stated = 0;
+  int digits = 0;
+  for (std::size_t k = 0; k < header; ++k) {
+    const bool is_in_sum = k >= sum_at && k < sum_at + sum_digits;
+    sum += is_in_sum ? ' ' : static_cast<unsigned char>(head[k]);
+    if (!is_in_sum || head[k] < '0' || head[k] > '7') continue;
+    stated = 8 * stated + (head[k] - '0');
+    ++digits;
+  }
+  return digits > 0 && stated == sum;
+}
+
+/// Archives, and what is compressed by other programs than those that are decompressed on the way here. Bytes of gzip
+/// or zstd have come out of others, so that the file was compressed twice.
+Kind recognize_packed(std::string_view head) {
+  using namespace std::string_view_literals;
+  struct Magic {
+    std::string_view bytes;
+    Kind kind;
+  };
+  constexpr Kind xz{"a file that xz compressed", ": xz -dc FILE | TOOL reads it (gzip and zstd need no such help)"};
+  constexpr Kind bzip2{"a file that bzip2 compressed",
+                       ": bzip2 -dc FILE | TOOL reads it (gzip and zstd need no such help)"};
+  constexpr Kind lzma{"a file that lzma compressed", ": xz -dc FILE | TOOL reads it (gzip and zstd need no such help)"};
+  constexpr Kind lzip{"a file that lzip compressed",
+                      ": lzip -dc FILE | TOOL reads it (gzip and zstd need no such help)"};
+  constexpr Kind lz4{"a file that lz4 compressed", ": lz4 -dc FILE | TOOL reads it (gzip and zstd need no such help)"};
+  constexpr Kind compress{"a file that compress made (.Z)", ": gzip -dc FILE | TOOL reads it"};
+  constexpr Kind twice{"a file that was compressed twice",
+                       ": decompress it once, by gzip -dc FILE or zstd -dc FILE, and give that to the tool"};
+  static constexpr Magic magics[] = {
+      {"PK\x03\x04", {"a zip archive", ": extract its files first, by unzip FILE"}},
+      {"PK\x05\x06", {"a zip archive without files", ": give a document"}},
+      {"7z\xBC\xAF\x27\x1C", {"a 7z archive", ": extract its files first, by 7z x FILE"}},
+      {"Rar!\x1A\x07", {"a rar archive", ": extract its files first"}},
+      {"\xFD\x37zXZ", xz},
+      {"BZh", bzip2},
+      {"LZIP", lzip},
+      {"\x5D\x00\x00"sv, lzma},
+      {"\x04\x22\x4D\x18", lz4},
+      {"\x02\x21\x4C\x18", lz4},
+      {"\x1F\x9D", compress},
+      {"\x1F\x8B", twice},
+      {"\x28\xB5\x2F\xFD", twice}};
+  if (begins_tar(head)) return {"a tar archive", ": extract its files first, by tar -xf FILE"};
+  const auto* const found =
+      std::ranges::find_if(magics, [&](const Magic& each) { return head.starts_with(each.bytes); });
+  return found == std::end(magics) ? Kind{} : found->kind;
+}
+
 /// What is known by its first bytes.
 Kind recognize_magic(std::string_view head) {
   struct Magic {
@@ -56,14 +110,10 @@ Kind recognize_magic(std::string_view head) {
     Kind kind;
   };
   constexpr Kind pixels{"a picture of pixels", ", not of curves"};
-  constexpr Kind archive{"a compressed archive", ": unpack it first"};
   constexpr Kind page{"a PDF file", ": a drawing program can save it as SVG, of which import-svg makes a boundary"};
   constexpr Kind script{"a PostScript file",
                         ": a drawing program can save it as SVG, of which import-svg makes a boundary"};
   constexpr Kind utf16{"a text in UTF-16", ", while UTF-8 is read"};
-  constexpr Kind xz{"a file that xz compressed", ": xz -dc FILE | TOOL reads it (gzip and zstd need no such help)"};
-  constexpr Kind bzip2{"a file that bzip2 compressed",
-                       ": bzip2 -dc FILE | TOOL reads it (gzip and zstd need no such help)"};
   const Magic magics[] = {{"glTF", gltf_file},
                           {"\x89PNG", pixels},
                           {"\xFF\xD8\xFF", pixels},
@@ -74,12 +124,7 @@ Kind recognize_magic(std::string_view head) {
                           {"%!PS", script},
                           {"\xFF\xFE", utf16},
                           {"\xFE\xFF", utf16},
-                          {"# vtk DataFile", vtk_file},
-                          {"PK\x03\x04", archive},
-                          {"\xFD"
-                           "7zXZ",
-                           xz},
-                          {"BZh", bzip2}};
+                          {"# vtk DataFile", vtk_file}};
   const auto* const found =
       std::ranges::find_if(magics, [&](const Magic& each) { return head.starts_with(each.bytes); });
   return found == std::end(magics) ? Kind{} : found->kind;
@@ -88,6 +133,7 @@ Kind recognize_magic(std::string_view head) {
 Kind recognize(std::string_view bytes) {
   std::string_view head = bytes.substr(0, recognized_by);
   const auto starts = [&head](std::string_view magic) { return head.starts_with(magic); };
+  if (const Kind kind = recognize_packed(head); !kind.name.empty()) return kind;
   if (const Kind kind = recognize_magic(head); !kind.name.empty()) return kind;
   if (form_of(head) == DocumentForm::cbor) return recognize_document(head);
   if (starts("\xEF\xBB\xBF")) head.remove_prefix(3);

@@ -1,5 +1,7 @@
 // formats/svg_import/svg_reader.h: the filled shapes of an SVG drawing as a boundary complex (formats/svg_import.md).
 #pragma once
+#include <cstddef>
+#include <limits>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -8,6 +10,9 @@
 #include "pliant/boundary/fault.h"
 
 namespace pliant {
+
+/// The longest drawing that is read.
+inline constexpr std::size_t most_svg_bytes = std::numeric_limits<int>::max();
 
 /// What coordinates of the result count: user units of the drawing's root, or lengths on its page.
 enum class LengthUnit { user, px, mm, cm, in };

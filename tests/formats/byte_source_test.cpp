@@ -38,12 +38,12 @@ std::string zstd(const std::string& text) {
   return out;
 }
 
-std::string read(const std::string& bytes) {
+std::string read(const std::string& bytes, std::size_t most = static_cast<std::size_t>(-1)) {
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::tmpfile(), &std::fclose);
   std::fwrite(bytes.data(), 1, bytes.size(), file.get());
   std::rewind(file.get());
   ByteSource source(file.get(), "name");
-  return read_all(source);
+  return read_all(source, most);
 }
 
 std::string long_text() {
@@ -78,4 +78,24 @@ TEST_CASE("compressed bytes that are damaged or cut off are refused with the fil
       damaged[k] = static_cast<char>(~damaged[k]);
     CHECK_THROWS_AS(read(damaged), InputError);
   }
+}
+
+TEST_CASE("bytes of more than is wanted are refused with the file", "[formats]") {
+  using Catch::Contains;
+  using Catch::StartsWith;
+  const std::string text(3'000'000, 'a');
+  for (const auto& pack : {gzipped, zstd}) {
+    CHECK(read(pack(text), text.size()) == text);
+    CHECK_THROWS_WITH(read(pack(text), text.size() - 1), StartsWith("name: is longer than 2 MB once ") &&
+                                                             Contains("decompresses it, and no more is read"));
+  }
+  CHECK_THROWS_WITH(read(text, text.size() - 1), "name: is longer than 2 MB, and no more is read of such a file");
+}
+
+TEST_CASE("bytes of zstd that take very much memory are refused with the way to read them", "[formats]") {
+  const std::string window_of_256_mb("\x28\xB5\x2F\xFD\x00\x90\x01\x00\x00", 9);
+  CHECK_THROWS_WITH(read(window_of_256_mb),
+                    Catch::StartsWith("name: zstd compressed it with a window") && Catch::Contains("--long=31"));
+  const std::string window_of_128_mb("\x28\xB5\x2F\xFD\x00\x88\x01\x00\x00", 9);
+  CHECK(read(window_of_128_mb).empty());
 }

@@ -147,3 +147,45 @@ TEST_CASE("a stream that cannot be read says so", "[formats]") {
   std::string_view document;
   CHECK_THROWS_AS(stream.next(document), std::system_error);
 }
+
+TEST_CASE("a document that does not end within its memory is refused with its place", "[formats]") {
+  constexpr std::size_t most = 1 << 21;
+  const auto fault_of = [](const std::string& text) {
+    const File file = file_of(text);
+    DocumentStream stream(file.get(), "name", most);
+    std::string_view document;
+    try {
+      if (const std::string_view bytes = stream.all_if("$"); !bytes.empty()) return std::string(bytes);
+      while (stream.next(document)) continue;
+    } catch (const DocumentTooLong& error) {
+      return std::string(error.what());
+    }
+    return std::string("none");
+  };
+  const std::string much(2 * most, ' ');
+  using Catch::StartsWith;
+  CHECK_THAT(fault_of("{}\n\n{\"a\":[" + much),
+             StartsWith("name:3: frame 1: the document that begins here has not ended after 2 MB, and "));
+  CHECK_THAT(fault_of("{}\n\xBF\x7A\x7F\xFF\xFF\xFF" + much), StartsWith("name: frame 1: the document that begins "));
+  CHECK(fault_of("{\"a\":\"" + much.substr(0, most - 100) + "\"}") == "none");
+}
+
+TEST_CASE("what is no document takes no memory, nor does white space", "[formats]") {
+  constexpr std::size_t most = 1 << 17;
+  for (const char c : {'\0', 'x', ' ', '\n'}) {
+    CAPTURE(c);
+    const std::string much(1 << 20, c);
+    const File file = file_of("{}" + much + "\n{\"b\":1}\n");
+    DocumentStream stream(file.get(), "name", most);
+    std::string_view document;
+    REQUIRE(stream.next(document));
+    CHECK(document.substr(0, 2) == "{}");
+    bool has_found = false;
+    while (stream.next(document)) {
+      CHECK(document.size() <= most);
+      has_found = document == "{\"b\":1}";
+    }
+    CHECK(has_found);
+    CHECK(stream.first_line() == (c == '\n' ? (1 << 20) + 2 : 2));
+  }
+}

@@ -38,6 +38,34 @@ TEST_CASE("a file of another kind is named with the tool that reads it", "[forma
   CHECK_THAT(says("<!DOCTYPE html><html>", FileKind::svg), Contains("HTML"));
 }
 
+TEST_CASE("archives and what other programs compressed are named with what unpacks them", "[formats]") {
+  using Catch::Contains;
+  std::string tar(1024, '\0');  // of the old kind, without the word ustar
+  tar.replace(0, 9, "mesh.json");
+  tar.replace(100, 7, "0000644");
+  tar.replace(148, 8, "        ");
+  long sum = 0;
+  for (const char c : tar) sum += static_cast<unsigned char>(c);
+  std::string digits;
+  for (int place = 5; place >= 0; --place) digits += static_cast<char>('0' + (sum >> 3 * place) % 8);
+  tar.replace(148, 6, digits);
+  tar[154] = '\0';
+  for (const FileKind kind : {FileKind::mesh, FileKind::svg, FileKind::msh, FileKind::problem}) {
+    const auto says = [kind](std::string_view bytes) { return describe_other_kind(bytes, kind); };
+    CHECK_THAT(says(tar), Contains("a tar archive: extract"));
+    CHECK_THAT(says("7z\xBC\xAF\x27\x1C rest"), Contains("a 7z archive: extract"));
+    CHECK_THAT(says("PK\x03\x04"), Contains("a zip archive: extract"));
+    CHECK_THAT(says("BZh91AY"), Contains("bzip2 -dc"));
+    CHECK_THAT(says(std::string_view("\x5D\x00\x00\x80\x00", 5)), Contains("lzma compressed: xz -dc"));
+    CHECK_THAT(says("\x04\x22\x4D\x18"), Contains("lz4 -dc"));
+    CHECK_THAT(says("\x1F\x9D\x90"), Contains("gzip -dc"));
+    CHECK_THAT(says("\x1F\x8B\x08"), Contains("compressed twice: decompress it once"));
+    CHECK_THAT(says("\x28\xB5\x2F\xFD"), Contains("compressed twice: decompress it once"));
+  }
+  tar[0] = 'n';
+  CHECK(describe_other_kind(tar, FileKind::mesh).empty());
+}
+
 TEST_CASE("a faulty file of the right kind is left to its reader", "[formats]") {
   CHECK(describe_other_kind("<svg", FileKind::svg).empty());
   CHECK(describe_other_kind("$MeshFormat\n9 9 9", FileKind::msh).empty());

@@ -84,7 +84,7 @@ std::vector<std::vector<Point>> read_outlines(const std::string& file) {
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> stream(std::fopen(file.c_str(), "rb"), std::fclose);
   if (stream == nullptr) throw std::system_error(errno, std::generic_category(), file);
   ByteSource source(stream.get(), file);
-  const std::string bytes = read_all(source);
+  const std::string bytes = read_all(source, most_svg_bytes);
   try {
     SvgReadOptions options;
     options.planar = true;  // shapes may lie over each other
