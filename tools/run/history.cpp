@@ -46,6 +46,10 @@ std::vector<std::string> options_that_count(const CLI::App& app) {
   return out;
 }
 
+void require_recordable(const ToolOptions& options, const ExtraMembers& extra) {
+  if (options.history) require_history(extra);
+}
+
 void record(const ToolOptions& options, ExtraMembers& extra) {
   if (options.history) add_history(extra, {options.tool, PLIANT_VERSION, options.given});
 }
