@@ -111,6 +111,7 @@ class Meshing {
   /// Meshes a boundary and writes the mesh and its report.
   void run(BoundaryComplex& boundary, const Frame& frame) {
     seconds_.assign(1, {"read", watch_.lap()});
+    require_recordable(options_.tool, boundary.extra);
     PassReport report;
     Mesh mesh = generate(boundary, report);
     seconds_.emplace_back("generate", watch_.lap());

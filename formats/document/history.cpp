@@ -26,11 +26,16 @@ bool is_entry(const Json& value) {
 
 }  // namespace
 
+void require_history(const ExtraMembers& extra) {
+  const auto found = find_history(extra);
+  if (found != extra.end() && !to_json(*found->second).is_array())
+    throw InputError(std::string("/") + member, "is no array of tools, so that none can be added to it");
+}
+
 void add_history(ExtraMembers& extra, const HistoryEntry& entry) {
+  require_history(extra);
   const auto found = find_history(extra);
   Json entries = found == extra.end() ? Json::array() : to_json(*found->second);
-  if (!entries.is_array())
-    throw InputError(std::string("/") + member, "is no array of tools, so that none can be added to it");
   entries.push_back({{"tool", entry.tool}, {"version", entry.version}, {"options", entry.options}});
   if (found == extra.end())
     extra.emplace_back(member, to_document(std::move(entries)));

@@ -48,6 +48,10 @@ std::vector<std::string> options_that_count(const CLI::App& app) {
   return out;
 }
 
+void require_recordable(const ToolOptions& options, const ExtraMembers& extra) {
+  if (options.history) require_history(extra);
+}
+
 void record(const ToolOptions& options, ExtraMembers& extra) {
   if (!options.history) return;
   for (const std::string& text : options.given)

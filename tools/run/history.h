@@ -16,6 +16,12 @@ void add_history_flag(CLI::App& app, ToolOptions& options, const std::string& na
 /// they are parsed.
 std::vector<std::string> options_that_count(const CLI::App& app);
 
+/// What `record` would refuse, for a tool that works long on a document with these members, or whose result takes the
+/// history from them.
+///
+/// Throws      as `record`
+void require_recordable(const ToolOptions& options, const ExtraMembers& extra);
+
 /// Adds the tool with its options to the history of the document with these members, if --history is given.
 ///
 /// Throws      InputError if the document has a member `history` of another kind; UsageError for an option that

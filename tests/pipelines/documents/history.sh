@@ -34,6 +34,17 @@ run 0 passthrough strange.json
 run 3 passthrough --history strange.json
 says '/history'
 says 'is no array'
+if has_tool bspline2mesh; then
+  for history in 7 '"import-svg"' '{"tool":"import-svg"}' null; do
+    sed "1s/^{/{\"history\":$history,/" "$examples/disk.json" >strange.json
+    run 3 bspline2mesh --history --no-refine strange.json
+    says 'bspline2mesh: strange.json:1: frame 0: /history: is no array of tools'
+    says '(column 12)'
+    no_output
+    run 0 bspline2mesh --no-refine strange.json  # the member stays that of the boundary
+    grep -qF "\"history\":$history" out || fail "a member that no tool knows is kept: $history"
+  done
+fi
 
 if has_tool bspline2mesh && has_tool refine && has_tool import-svg && has_tool evolve; then
   import-svg -q --history --planar --degree=3 "$examples/drawing.svg" >drawing.json
