@@ -44,7 +44,7 @@ VtuNodes::VtuNodes(const MeshData& mesh, const VtuPoints& points, bool at_nodes)
 }
 
 std::span<const double> VtuNodes::rows(const VtuRows& control, std::vector<double>& storage) const {
-  const bool has_all = control.by_face || points_.are_control_points();
+  const bool has_all = control.by_face || points_.size() * index(control.width) == control.values.size();
   if (!at_nodes_ && has_all) return control.values;
   const auto width = index(control.width);
   std::vector<double> all;

@@ -18,8 +18,6 @@ class VtuPoints {
   std::size_t size() const { return places_ == nullptr ? mesh_.points.size() : places_->size(); }
   /// The number in the file of a control point of an element of this face.
   std::int32_t number(PointId point, FaceId face) const;
-  /// Does each control point have its own number?
-  bool are_control_points() const { return places_ == nullptr; }
   /// The control point that has this number.
   PointId point(std::size_t number) const {
     return places_ == nullptr ? static_cast<PointId>(number) : (*places_)[number][0];

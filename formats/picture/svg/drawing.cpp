@@ -33,6 +33,7 @@ std::string Drawing::stroke_width(double pixels) const {
 }
 
 double Drawing::fine_width() const {
+  if (edges.edges.empty()) return 1;
   double sum = 0;
   for (const MeshEdge& edge : edges.edges) sum += distance(at(edge.points.front()), at(edge.points.back()));
   return std::clamp(0.035 * sum / double(edges.edges.size()) / pixel, 0.15, 1.0);

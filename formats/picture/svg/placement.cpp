@@ -26,6 +26,8 @@ Box tight_box(const MeshData& mesh, const SvgOptions& options) {
     box.extend(circle.center - reach);
     box.extend(circle.center + reach);
   }
+  // Where there is nothing to see, the picture is of the origin.
+  if (!(box.low.x <= box.high.x)) box.extend({0, 0});
   return box;
 }
 

@@ -334,4 +334,13 @@ TEST_CASE("a range that is hardly wider than rounding has few ticks", "[formats]
   CHECK(ticks(range, count).size() <= 9);
 }
 
+TEST_CASE("a mesh without elements is an empty picture", "[formats][svg]") {
+  MeshData mesh;
+  mesh.degree = 2;
+  std::string picture;
+  write_svg(mesh, {}, picture);
+  CHECK(picture.find("nan") == std::string::npos);
+  CHECK(picture.find("inf") == std::string::npos);
+}
+
 }  // namespace pliant

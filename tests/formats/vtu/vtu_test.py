@@ -87,17 +87,6 @@ class Vtu(InScratch):
         self.check_triangles(document, nodes, True, False, ("u", "v"))
         self.assertEqual(grid.cells, nodes.cells)
 
-    def test_points_of_no_element_do_not_mix_up_the_others(self):
-        # With these there are as many points as places of the field by face.
-        document = self.document("three", 2, ("jump", heat, 1, True))
-        unused = len(document.fields["jump"]["values"]) - len(document.points)
-        self.assertGreater(unused, 0)
-        document.mesh["points"] += 2 * unused * [0.5]
-        document.fields["u"]["values"] += unused * [0.0]
-        document.save("mesh.json")
-        for options in ((), ("--lagrange",)):
-            self.check_triangles(Document("mesh.json"), self.grid(*options), bool(options), True, ("u", "jump"))
-
     def test_vectors_of_two_components_get_a_third_and_other_counts_stay(self):
         fields = [(f"f{n}", row(*range(1, n + 1)), n) for n in range(1, 7)]
         self.document("disk", 2, *fields)
