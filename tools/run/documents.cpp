@@ -124,47 +124,6 @@ void read_documents(const ToolOptions& options, FileKind kind, const std::functi
                  frame.source + ":1: the input is empty" + (options.input == "-" ? "" : "; expected a document"));
 }
 
-/// for_each_document but for DocumentTooLong, which comes out as it is.
-void read_documents(const ToolOptions& options, FileKind kind, const std::function<bool(InputDocument&)>& use,
-                    const std::function<void(std::string_view bytes, const Frame&)>& use_msh_file) {
-  std::unique_ptr<std::FILE, Closer> file;
-  Frame frame;
-  frame.source = "standard input";
-  if (options.input != "-") {
-    frame.source = options.input;
-    file.reset(std::fopen(options.input.c_str(), "rb"));
-    if (file == nullptr) throw std::system_error(errno, std::generic_category(), options.input);
-  }
-  DocumentStream stream(file == nullptr ? stdin : file.get(), frame.source);
-  if (use_msh_file) {
-    const std::string_view bytes = stream.all_if("$");
-    if (!bytes.empty()) return use_msh_file(bytes, frame);
-  }
-  std::string head(stream.head_unless_object(recognized_by));
-  std::string_view text;
-  while (stream.next(text)) {
-    frame.index = stream.frame();
-    frame.line = stream.first_line();
-    frame.byte = stream.first_byte();
-    frame.form = form_of(text);
-    if (head.empty()) head = text.substr(0, recognized_by);
-    InputDocument document(text, frame, [&stream] { stream.release(); });
-    bool goes_on = true;
-    try {
-      with_place(document, [&] { goes_on = use(document); });
-    } catch (const Placed& e) {
-      const std::string other =
-          e.status() == status::bad_input && frame.index == 0 ? describe_other_kind(head, kind) : "";
-      if (other.empty()) throw;
-      throw Placed(status::bad_input, frame.source + ": " + other);
-    }
-    if (!goes_on) return;
-  }
-  if (stream.frame() < 0)
-    throw Placed(status::bad_input,
-                 frame.source + ":1: the input is empty" + (options.input == "-" ? "" : "; expected a document"));
-}
-
 /// What works on a mesh of the input, and returns whether the next one is to be read. `forget_text` as in
 /// for_each_mesh.
 using MeshUse = std::function<bool(MeshData&&, const Frame&, const std::function<void()>& forget_text)>;
