@@ -11,25 +11,12 @@
 #include "formats/picture/svg/theme.h"
 #include "pliant/geometry/invert_map.h"
 #include "support/sample_meshes.h"
+#include "support/svg_texts.h"
 
 namespace pliant {
 namespace {
 
-std::string svg_of(const MeshData& mesh, const std::string& color, SvgOptions options = SvgOptions()) {
-  options.color = parse_color_by(color);
-  std::string text;
-  write_svg(mesh, options, text);
-  return text;
-}
-
-/// The numbers in a text, letters left out.
-std::vector<double> numbers(const std::string& text) {
-  std::vector<double> result;
-  const std::regex number(R"([-+]?\d+\.?\d*(?:e[-+]?\d+)?)");
-  for (auto it = std::sregex_iterator(text.begin(), text.end(), number); it != std::sregex_iterator(); ++it)
-    result.push_back(std::stod(it->str()));
-  return result;
-}
+using samples::numbers, samples::svg_of;
 
 /// The first group of the first match.
 std::string found(const std::string& text, const std::string& pattern) {

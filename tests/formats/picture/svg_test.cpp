@@ -13,9 +13,12 @@
 #include "pliant/mesh/check_mesh.h"
 #include "pliant/quality/metrics.h"
 #include "support/sample_meshes.h"
+#include "support/svg_texts.h"
 
 namespace pliant {
 namespace {
+
+using samples::numbers, samples::svg_of;
 
 /// Why the text is not well-formed XML (of the kind we write: no comments, declarations or CDATA); empty if it is.
 class XmlCheck {
@@ -86,14 +89,6 @@ class XmlCheck {
 };
 std::string xml_fault(const std::string& text) { return XmlCheck(text).fault(); }
 
-std::string svg_of(const MeshData& mesh, const std::string& color, const SvgOptions& given = SvgOptions()) {
-  SvgOptions options = given;
-  options.color = parse_color_by(color);
-  std::string text;
-  write_svg(mesh, options, text);
-  return text;
-}
-
 std::string between(const std::string& text, const std::string& from, const std::string& to) {
   const std::size_t first = text.find(from);
   REQUIRE(first != std::string::npos);
@@ -106,15 +101,6 @@ MeshData colorful_disks(int degree) {
   samples::add_field(mesh, "x", 1, [](const Point& p) { return std::vector<double>{p.x}; });
   samples::add_field(mesh, "place", 2, [](const Point& p) { return std::vector<double>{p.x, p.y}; });
   return mesh;
-}
-
-/// The numbers in path data, letters left out.
-std::vector<double> numbers(const std::string& text) {
-  std::vector<double> result;
-  const std::regex number(R"([-+]?\d+\.?\d*(?:e[-+]?\d+)?)");
-  for (auto it = std::sregex_iterator(text.begin(), text.end(), number); it != std::sregex_iterator(); ++it)
-    result.push_back(std::stod(it->str()));
-  return result;
 }
 
 }  // namespace

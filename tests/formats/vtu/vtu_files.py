@@ -24,7 +24,7 @@ def run(*words, status=0, text=None):
 
 
 def make_mesh(kind, degree, time="0"):
-    """Writes mesh.json, with the field u: a kind of sample_mesh (degree 1 to 7), or the mesh of a boundary of samples/examples."""
+    """Writes mesh.json, with the field u: a kind of sample_mesh (degree 1 to 7), or a boundary of samples/examples."""
     made = run("bspline2mesh", "-q", "--degree", str(degree), "--field", "u=x-y", EXAMPLES / kind) \
         if kind.endswith(".json") else run("sample_mesh", kind, str(degree), time)
     pathlib.Path("mesh.json").write_bytes(made.stdout)
