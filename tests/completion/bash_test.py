@@ -43,11 +43,11 @@ class Case(unittest.TestCase):
 class Called(Case):
     """The function, called with the words as they are."""
 
-    def replies(self, *words, at=None, bare=True):
-        """What bash would put in place of the last word; `bare` takes the quotes off."""
+    def replies(self, *words, at=None, bare=True, tool=None):
+        """What bash would put in place of the last word; `bare` takes the quotes off. `tool` is what an alias stands for."""
         at = len(words) - 1 if at is None else at
         quoted = " ".join("'" + word.replace("'", "'\\''") + "'" for word in words)
-        function = "_pliant_" + words[0].replace("-", "_")
+        function = "_pliant_" + (tool or words[0]).replace("-", "_")
         end = 'eval "COMPREPLY=(${COMPREPLY[*]})"\n' if bare else ""
         return self.bash(f"COMP_WORDS=({quoted}) COMP_CWORD={at}\n{function}\n{end}"
                          "((${#COMPREPLY[@]})) && printf '%s\\0' \"${COMPREPLY[@]}\"; true").split("\0")[:-1]
@@ -124,6 +124,12 @@ class Called(Case):
                          ["field:" + field for field in names.FIELDS])
         self.assertIn("shape", self.replies("export-svg", "--color", "sh"))
         self.assertEqual(self.replies("advect", "mesh.json", "--field", "temperature@pl"), ["temperature@plain="])
+
+    def test_an_alias_asks_the_tool_that_it_stands_for(self):
+        for tool in ("advect", "refine"):
+            self.assertIn("--face" if tool == "refine" else "--flow", " ".join(self.replies("short", "--f", tool=tool)))
+        self.assertEqual(self.replies("short", "--velocity-field", "v", "mesh.json", at=2, tool="advect"), ["velocity"])
+        self.assertEqual(self.replies("short", "mesh.json", "--size-field", "te", tool="refine"), ["temperature"])
 
     def test_flows(self):
         text = subprocess.run(["advect", "--flow", "help"], capture_output=True, text=True, check=True).stdout

@@ -121,7 +121,7 @@ _pliant_files() {
 
 _@FUNCTION@() {
   local words at=0 head='' tail='' current='' option='' before='' pending='' i REPLY quote
-  local answer=() choices=() only_inputs=''
+  local answer=() choices=() only_inputs='' tool=@TOOL@
   COMPREPLY=()
   _pliant_words
   for ((i = 1; i < at; ++i)); do
@@ -154,12 +154,12 @@ _@FUNCTION@() {
   _pliant_reply "${choices[@]}"
 }
 
-# Asks the tool itself for the names that the option may have, some of which are in the input.
+# Asks the tool itself for the names that the option may have, some of which are in the input; an alias stands for $tool.
 _pliant_ask() {
-  local others=("${words[@]:1:at-1}") answer=() tool
+  local others=("${words[@]:1:at-1}") answer=() path
   if [[ $option ]]; then others=("${words[@]:1}"); fi
-  tool=$(type -P -- "${words[0]}") || tool=@TOOL@
-  mapfile -t -d '' answer < <("$tool" --complete-value "$option" "${current#"$before"}" "${others[@]}" 2>/dev/null)
+  path=$(type -P -- "${words[0]}") || path=$tool
+  mapfile -t -d '' answer < <("$path" --complete-value "$option" "${current#"$before"}" "${others[@]}" 2>/dev/null)
   choices=("${answer[@]:1}")
   if [[ ${answer[0]-} == files* ]]; then
     # shellcheck disable=SC2086  # one word for each extension

@@ -11,14 +11,14 @@ namespace {
 constexpr const char* text = R"--(#compdef @TOOL@
 # Completion of @TOOL@ in zsh: what `@TOOL@ --completion zsh` prints.
 
-# Asks the tool itself for the names that the option $1 may have, some of which are in the input.
+# Asks the tool itself for the names that the option $1 may have, some of which are in the input; an alias stands for $tool.
 _pliant_ask() {
-  local tool=${(Q)words[1]} typed=${(Q)PREFIX} name
+  local asked=${(Q)words[1]} typed=${(Q)PREFIX} name
   local -a others answer whole begun
   others=("${(@Q)words[2,CURRENT-1]}")
   if [[ -n $1 ]]; then others=("${(@Q)words[2,-1]}"); fi
-  (( $+commands[$tool] )) || [[ -x $tool ]] || tool=@TOOL@
-  answer=("${(@0)"$("$tool" --complete-value "$1" "$typed" "${others[@]}" 2>/dev/null)"}")
+  (( $+commands[$asked] )) || [[ -x $asked ]] || asked=$tool
+  answer=("${(@0)"$("$asked" --complete-value "$1" "$typed" "${others[@]}" 2>/dev/null)"}")
   for name in "${(@)answer[2,-1]}"; do
     case $name in
       '') ;;
@@ -39,6 +39,7 @@ _pliant_files() {
 }
 
 _@FUNCTION@() {
+  local tool=@TOOL@
   _arguments -s -S \
 @SPECIFICATIONS@}
 
