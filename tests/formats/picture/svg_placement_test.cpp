@@ -63,7 +63,7 @@ TEST_CASE("a mesh far from the origin is drawn as the same mesh near it", "[form
 TEST_CASE("an origin is given in the unit of the document", "[formats][svg]") {
   MeshData mesh = round_numbers(0x1p70);
   move_by(mesh, {0x1p100, 0});
-  const PlacedDocument placed(mesh, {});
+  const PlacedDocument placed(mesh, SvgOptions());
   CHECK(placed.placement().unit > 0x1p60);
   CHECK(placed.placement().origin.y == 0);
   for (std::size_t p = 0; p < mesh.points.size(); ++p) {
@@ -82,7 +82,7 @@ TEST_CASE("only what is much farther away than it is wide gets an origin", "[for
   // A tiny mesh beside 1, whose coordinates differ in their last digits.
   MeshData tiny = round_numbers(0x1p-29);
   move_by(tiny, {1, 1});
-  const PlacedDocument placed(tiny, {});
+  const PlacedDocument placed(tiny, SvgOptions());
   CHECK(placed.placement().origin == Point{1, 1});
   for (const Point& p : placed.mesh().points) CHECK(length(p) < 0x1p-27);
 }
@@ -91,7 +91,7 @@ TEST_CASE("a mesh of one point is drawn wherever it is", "[formats][svg]") {
   MeshData mesh = round_numbers(1);
   for (Point& p : mesh.points) p = {1e200, 0.25};
   std::string text;
-  write_svg(mesh, {}, text);
+  write_svg(mesh, SvgOptions(), text);
   CHECK(text.find("nan") == std::string::npos);
   CHECK(text.find("inf") == std::string::npos);
   CHECK(text.find(" viewBox=\"-0.53 -0.53 1.06 1.06\"") != std::string::npos);

@@ -324,7 +324,7 @@ TEST_CASE("a mesh without elements is an empty picture", "[formats][svg]") {
   MeshData mesh;
   mesh.degree = 2;
   std::string picture;
-  write_svg(mesh, {}, picture);
+  write_svg(mesh, SvgOptions(), picture);
   CHECK(picture.find("nan") == std::string::npos);
   CHECK(picture.find("inf") == std::string::npos);
 }
