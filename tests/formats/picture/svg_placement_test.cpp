@@ -10,6 +10,8 @@
 namespace pliant {
 namespace {
 
+const SvgOptions plain;
+
 /// A disk with two fields, whose coordinates lose no digit by an offset that is a whole number below 2^32.
 MeshData round_numbers(double size) {
   MeshData mesh = samples::disk(3, 9, {0.25, 0.5}, 1);
@@ -34,7 +36,7 @@ std::string drawing_of(const MeshData& mesh, SvgOptions options) {
   return std::regex_replace(text, std::regex(" data-origin=\"[^\"]*\""), "");
 }
 
-std::string origin_of(const MeshData& mesh, const SvgOptions& options = {}) {
+std::string origin_of(const MeshData& mesh, const SvgOptions& options) {
   std::string text;
   write_svg(mesh, options, text);
   std::smatch match;
@@ -63,7 +65,7 @@ TEST_CASE("a mesh far from the origin is drawn as the same mesh near it", "[form
 TEST_CASE("an origin is given in the unit of the document", "[formats][svg]") {
   MeshData mesh = round_numbers(0x1p70);
   move_by(mesh, {0x1p100, 0});
-  const PlacedDocument placed(mesh, SvgOptions());
+  const PlacedDocument placed(mesh, plain);
   CHECK(placed.placement().unit > 0x1p60);
   CHECK(placed.placement().origin.y == 0);
   for (std::size_t p = 0; p < mesh.points.size(); ++p) {
@@ -75,14 +77,14 @@ TEST_CASE("an origin is given in the unit of the document", "[formats][svg]") {
 TEST_CASE("only what is much farther away than it is wide gets an origin", "[formats][svg]") {
   MeshData mesh = round_numbers(1);
   move_by(mesh, {500, 0});
-  CHECK(origin_of(mesh).empty());
+  CHECK(origin_of(mesh, plain).empty());
   SvgOptions options;
   options.box = Box{{500, 0.25}, {500.125, 0.375}};  // what is shown counts
   CHECK(origin_of(mesh, options) == "500 0");
   // A tiny mesh beside 1, whose coordinates differ in their last digits.
   MeshData tiny = round_numbers(0x1p-29);
   move_by(tiny, {1, 1});
-  const PlacedDocument placed(tiny, SvgOptions());
+  const PlacedDocument placed(tiny, plain);
   CHECK(placed.placement().origin == Point{1, 1});
   for (const Point& p : placed.mesh().points) CHECK(length(p) < 0x1p-27);
 }
@@ -91,7 +93,7 @@ TEST_CASE("a mesh of one point is drawn wherever it is", "[formats][svg]") {
   MeshData mesh = round_numbers(1);
   for (Point& p : mesh.points) p = {1e200, 0.25};
   std::string text;
-  write_svg(mesh, SvgOptions(), text);
+  write_svg(mesh, plain, text);
   CHECK(text.find("nan") == std::string::npos);
   CHECK(text.find("inf") == std::string::npos);
   CHECK(text.find(" viewBox=\"-0.53 -0.53 1.06 1.06\"") != std::string::npos);

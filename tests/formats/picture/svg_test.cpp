@@ -324,7 +324,8 @@ TEST_CASE("a mesh without elements is an empty picture", "[formats][svg]") {
   MeshData mesh;
   mesh.degree = 2;
   std::string picture;
-  write_svg(mesh, SvgOptions(), picture);
+  const SvgOptions options;
+  write_svg(mesh, options, picture);
   CHECK(picture.find("nan") == std::string::npos);
   CHECK(picture.find("inf") == std::string::npos);
 }
