@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <numbers>
 #include <sstream>
 #include <utility>
 
@@ -33,7 +32,6 @@ constexpr double color_spread = 0.15;     // how much a piece's corners may diff
 constexpr double layer = 5e-4;  // from obstacles to the fill, lines, and outlines, as a part of the mesh's size
 constexpr double height_tolerance = 0.005;  // how far heights may be off, as a part of the frame's range
 constexpr double least_height = 1e-15;      // of a lifted box, as a part of the mesh's size: viewers square its inverse
-constexpr int circle_corners = 128;
 constexpr Rgb ink{0.078, 0.137, 0.18}, plain{0.86, 0.89, 0.92};
 
 tinygltf::Primitive primitive(int positions, int indices, int material, int mode) {
@@ -126,15 +124,10 @@ int GltfWriter::State::add_node(const char* name, const tinygltf::Primitive& pri
 
 void GltfWriter::State::add_circles() {
   for (const Circle& circle : options.circles) {
-    std::vector<Point> corners;
+    const std::vector<Point> corners =
+        corners_of({circle.center / place.scale - place.center, circle.radius / place.scale});
     std::vector<std::uint32_t> triangles;
-    for (int k = 0; k < circle_corners; ++k) {
-      const double angle = 2 * std::numbers::pi * k / circle_corners;
-      corners.push_back(circle.center / place.scale - place.center +
-                        circle.radius / place.scale * Vector{std::cos(angle), std::sin(angle)});
-      const auto i = static_cast<std::uint32_t>(k);
-      if (k > 1) triangles.insert(triangles.end(), {0, i - 1, i});
-    }
+    for (std::uint32_t k = 2; k < corners.size(); ++k) triangles.insert(triangles.end(), {0, k - 1, k});
     GltfBox box;
     box.extend(corners, {});
     require_drawable(box.plane);

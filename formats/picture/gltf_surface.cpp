@@ -2,6 +2,8 @@
 #include "formats/picture/gltf_surface.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 namespace pliant {
 namespace {
@@ -43,6 +45,16 @@ class EdgeHeights {
 };
 
 }  // namespace
+
+std::vector<Point> corners_of(const Circle& circle) {
+  constexpr int count = 128;
+  std::vector<Point> corners;
+  for (int k = 0; k < count; ++k) {
+    const double angle = 2 * std::numbers::pi * k / count;
+    corners.push_back(circle.center + circle.radius * Vector{std::cos(angle), std::sin(angle)});
+  }
+  return corners;
+}
 
 void GltfBox::extend(std::span<const Point> points, std::span<const double> values) {
   for (const Point& p : points) plane.extend(p);

@@ -22,6 +22,9 @@ struct GltfBox {
   }
 };
 
+/// The corners of the polygon that is drawn for a circle, counter-clockwise.
+std::vector<Point> corners_of(const Circle& circle);
+
 /// A row of pairs of points, left and right of curves. Quadrilateral k lies between pairs k and k + 1; those between
 /// curves that do not join have no area.
 struct GltfBand {

@@ -46,6 +46,18 @@ MeshData placed(MeshData mesh, double scale, const Vector& offset) {
 
 }  // namespace
 
+TEST_CASE("obstacles lie below the mesh, so that neither flickers", "[formats][gltf]") {
+  const MeshData mesh = colorful(samples::three_disks(2));
+  GltfOptions options = colored_by("none");
+  options.quantize = GENERATE(false, true);
+  options.circles = {{{1.5, 0.5}, 0.25}};
+  if (GENERATE(false, true)) options.height = parse_color_by("field:wave");
+  for (const tinygltf::Node& node : model_of({mesh}, options).nodes) {
+    if (node.name == "obstacle") CHECK(node.translation.at(2) < 0);
+    if (node.name == "elements" || node.name == "box") CHECK((node.translation.empty() || node.translation[2] == 0));
+  }
+}
+
 TEST_CASE("meshes of any size and place are drawn to single precision of their size", "[formats][gltf]") {
   const MeshData mesh = samples::three_disks(2);
   const bool quantize = GENERATE(false, true);

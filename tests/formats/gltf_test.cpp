@@ -44,18 +44,6 @@ TEST_CASE("what is read back from a file is what its mesh has, in every degree a
   }
 }
 
-TEST_CASE("obstacles lie below the mesh, so that neither flickers", "[formats][gltf]") {
-  const MeshData mesh = colorful(samples::three_disks(2));
-  GltfOptions options = colored_by("none");
-  options.quantize = GENERATE(false, true);
-  options.circles = {{{1.5, 0.5}, 0.25}};
-  if (GENERATE(false, true)) options.height = parse_color_by("field:wave");
-  for (const tinygltf::Node& node : model_of({mesh}, options).nodes) {
-    if (node.name == "obstacle") CHECK(node.translation.at(2) < 0);
-    if (node.name == "elements" || node.name == "box") CHECK((node.translation.empty() || node.translation[2] == 0));
-  }
-}
-
 TEST_CASE("the area of the straight pieces tends to the curved area, with the square of their size",
           "[formats][gltf]") {
   const int degree = GENERATE(2, 3, 4);

@@ -71,7 +71,7 @@ if has_tool bspline2mesh && has_tool refine && has_tool import-svg && has_tool e
   run 0 evolve --add-history --step step --steps 3 --every 1 disk-mesh.json
   same out three.jsonl
   [ "$(entries run.jsonl | sort -u | wc -l)" = 1 ] || fail 'a resumed run has another history'
-  sed '1s/^{/{"history":7,/' disk-mesh.json >strange.json
+  bspline2mesh --no-refine "$examples/disk.json" | sed '1s/^{/{"history":7,/' >strange.json
   run 3 evolve --add-history "$step" --steps 1 strange.json
   says 'evolve: strange.json:1: frame 0: /history: is no array'
 
