@@ -52,7 +52,7 @@ struct SvgOptions {
 /// from numbers that are rounded to the resolution. Returns what was asked for and has no room, a sentence each.
 /// Requires    M1 and M2 (check_structure); the mesh may be tangled: elements that are not valid are marked
 /// Throws      std::invalid_argument where the mesh has no such field; the text begins with the option that names it.
-///             InputError where the mesh is too large or too small (normalize_unit)
+///             InputError where the mesh is too large or too small (require_document_size)
 std::vector<std::string> write_svg(const MeshData& mesh, const SvgOptions& options, std::string& out);
 
 }  // namespace pliant

@@ -11,9 +11,11 @@ namespace pliant {
 namespace {
 
 constexpr double margin = 0.03;  // around the control points, as a part of the larger side
-constexpr double far =
-    1024;  // times the larger side: farther from the origin, a pixel is a few units in the last place
-constexpr double least = 0x1p-60, most = 0x1p60;  // sizes that are drawn in the document's unit
+// How far from the origin the picture may be, in its larger side: farther, a pixel is a few units in the last place.
+constexpr double far = 1024;
+constexpr double least = 0x1p-3, most = 0x1p20;  // larger sides of pictures in the document's unit
+constexpr int usual = 9;                         // in another unit the larger side is from 2^9 to 2^10
+constexpr int deepest = 60;                      // at most so many halvings from the mesh to what is shown
 
 double larger_side(const Box& box) { return std::max(box.high.x - box.low.x, box.high.y - box.low.y); }
 
@@ -50,28 +52,26 @@ double origin_of(double low, double high, double side) {
   return step * std::round(middle / step);
 }
 
+double unit_for(double side, double size) {
+  if (side == 0 || (side >= least && side <= most)) return 1;
+  return std::exp2(std::max(std::ilogb(side) - usual, std::ilogb(size) - deepest));
+}
+
 }  // namespace
 
 PlacedDocument::PlacedDocument(const MeshData& mesh, const SvgOptions& options) : document_(mesh), options_(options) {
-  const double size = bounding_box(mesh).size();
-  if (size != 0 && !(size > least && size < most)) {
-    moved_ = mesh;
-    normalize_unit(*moved_);
-  }
-  const double unit = this->mesh().boundary.unit;
-  if (options_.box) options_.box = Box{options_.box->low / unit, options_.box->high / unit};
-  for (Circle& circle : options_.circles) circle = {circle.center / unit, circle.radius / unit};
-
-  const Box tight = tight_box(this->mesh(), options_);
+  require_document_size(mesh);
+  const Box tight = tight_box(mesh, options);
   const double side = larger_side(tight);
-  const Vector origin{origin_of(tight.low.x, tight.high.x, side), origin_of(tight.low.y, tight.high.y, side)};
-  if (origin != Vector{}) {
-    if (!moved_) moved_ = mesh;
-    for (Point& p : moved_->points) p = p - origin;
-    if (options_.box) options_.box = Box{options_.box->low - origin, options_.box->high - origin};
-    for (Circle& circle : options_.circles) circle.center = circle.center - origin;
+  placement_.unit = unit_for(side, std::max(side, bounding_box(mesh).size()));
+  placement_.origin = {origin_of(tight.low.x, tight.high.x, side), origin_of(tight.low.y, tight.high.y, side)};
+  if (placement_.unit != 1 || placement_.origin != Point{}) {
+    const auto move = [this](Point& p) { p = (p - placement_.origin) / placement_.unit; };
+    moved_ = mesh;
+    for (Point& p : moved_->points) move(p);
+    if (options_.box) move(options_.box->low), move(options_.box->high);
+    for (Circle& circle : options_.circles) move(circle.center), circle.radius /= placement_.unit;
   }
-  placement_ = {unit, unit * origin};
   box_ = options_.box ? *options_.box : with_margin(tight_box(this->mesh(), options_));
 }
 

@@ -14,11 +14,12 @@ struct Placement {
   Point in_document(const Point& p) const { return origin + unit * p; }
 };
 
-/// A document as it is drawn. Viewers compute with numbers of single precision, which end at 1e38 and have 24 bits:
-/// what is much larger or smaller than 1 is drawn in another unit, what lies far from the origin about another origin.
+/// A document as it is drawn. Viewers compute with 24 bits, and Chromium takes a gradient shorter than 2^-15 for a plain
+/// colour: what is shown is drawn in another unit where it is very small or large, about another origin where it lies far
+/// from that of the document.
 class PlacedDocument {
  public:
-  /// Throws      InputError where the mesh is too large or too small (normalize_unit)
+  /// Throws      InputError where the mesh is too large or too small (require_document_size)
   PlacedDocument(const MeshData& mesh, const SvgOptions& options);
 
   const MeshData& mesh() const { return moved_ ? *moved_ : document_; }
