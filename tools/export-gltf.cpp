@@ -88,7 +88,7 @@ int main(int argc, char** argv) {
     gltf.quantize = precision == "quantized";
     if (app.count("--height") > 0) read_height(height, gltf);
     if (app.count("--outline") > 0) gltf.outline_width = outline;
-    if (app.count("--binary") == 0) binary = !options.output.ends_with(".gltf");
+    if (app.count("--binary") == 0) binary = !has_ending(options.output, ".gltf");
     OutputFile output(options.output);
     GltfWriter writer(gltf);
     std::size_t meshes = 0, triangles = 0;

@@ -71,13 +71,6 @@ class Series {
   }
   static constexpr std::string_view suffix = ".pvd";
 
-  /// Whether a file of this name is the list of a series: it ends in .pvd, in small letters or capitals.
-  static bool is_list(std::string_view path) {
-    const auto is_same = [](char a, char b) { return (a >= 'A' && a <= 'Z' ? a + ('a' - 'A') : a) == b; };
-    return path.size() >= suffix.size() &&
-           std::ranges::equal(path.substr(path.size() - suffix.size()), suffix, is_same);
-  }
-
   /// The path of the next file.
   std::string next(double time) {
     constexpr std::size_t digits = 4;
@@ -123,7 +116,7 @@ int main(int argc, char** argv) {
   return run_tool(app, argc, argv, options, [&] {
     vtu.metrics = find_metrics(metrics);
     Written written;
-    if (!Series::is_list(options.output)) {
+    if (!has_ending(options.output, Series::suffix)) {
       OutputFile output(options.output);
       MeshData mesh = frame.read(options);
       write_mesh_to(output, mesh, vtu, written);

@@ -81,6 +81,8 @@ run 0 export-gltf a.json -o a.glb
 run 0 export-gltf a.json -o a.gltf
 [ "$(head -c 4 a.glb)" = glTF ] || fail "a.glb is not binary"
 [ "$(head -c 1 a.gltf)" = '{' ] || fail "a.gltf is not JSON"
+run 0 export-gltf a.json -o A.GLTF
+same A.GLTF a.gltf
 run 0 export-gltf a.json
 same a.glb out
 run 0 export-gltf --no-binary a.json

@@ -177,6 +177,8 @@ if has_tool bspline2mesh && has_tool advect; then
   says 'advect: flow.json:1: frame 0: /tiem: is kept, but not known; is "time" meant?'
   run 0 advect -q --dt 0.01 --flow flow.json plain.json
   silent
+  run 5 advect --dt 0.01 --flow MISSING.JSON plain.json
+  says 'No such file'
 fi
 
 # A report must not overwrite what is read or written.

@@ -9,6 +9,7 @@
 #include "formats/picture/svg/theme.h"
 #include "options/numbers.h"
 #include "run/exit_status.h"
+#include "run/output_file.h"
 
 namespace pliant {
 namespace {
@@ -102,17 +103,12 @@ void DrawingOptions::add(CLI::App& app) {
 
 void DrawingOptions::check(const std::string& output, SvgOptions& svg) {
   std::string name = format_name_;
-  if (name.empty()) {
-    const std::size_t dot = output.rfind('.');
-    if (dot != std::string::npos) name = output.substr(dot + 1);
-    std::transform(name.begin(), name.end(), name.begin(),
-                   [](unsigned char c) { return static_cast<char>(c >= 'A' && c <= 'Z' ? c + ('a' - 'A') : c); });
-  }
+  if (name.empty()) name = has_ending(output, ".png") ? "png" : has_ending(output, ".pdf") ? "pdf" : "svg";
   if (name == "png")
     format_ = Format::png;
   else if (name == "pdf")
     format_ = Format::pdf;
-  else if (!format_name_.empty() && name != "svg")
+  else if (name != "svg")
     throw UsageError("--format: '" + name + "' is none of svg, png, pdf");
 #ifndef PLIANT_RSVG
   if (format_ != Format::svg)

@@ -12,6 +12,7 @@
 #include "run/documents.h"
 #include "run/exit_status.h"
 #include "run/in_unit.h"
+#include "run/output_file.h"
 #include "run/require_mesh.h"
 
 namespace pliant {
@@ -20,7 +21,7 @@ bool is_flow_file(const std::string& text) {
   const std::string name = text.substr(0, text.find(':'));
   if (std::ranges::find(named_flows(), name, &NamedFlow::name) != named_flows().end()) return false;
   std::error_code ignored;
-  const auto ends = [&text](std::string_view end) { return text.ends_with(end); };
+  const auto ends = [&text](std::string_view end) { return has_ending(text, end); };
   return text.find('/') != std::string::npos ||
          std::ranges::any_of(std::array{".json", ".jsonl", ".cbor", ".msh", ".gz", ".zst"}, ends) ||
          std::filesystem::exists(text, ignored);

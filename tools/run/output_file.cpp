@@ -68,6 +68,11 @@ std::string temporary_name(const std::string& path) {
 
 }  // namespace
 
+bool has_ending(std::string_view path, std::string_view ending) {
+  const auto is_same = [](char a, char b) { return (a >= 'A' && a <= 'Z' ? a + ('a' - 'A') : a) == b; };
+  return path.size() >= ending.size() && std::ranges::equal(path.substr(path.size() - ending.size()), ending, is_same);
+}
+
 void remove_unfinished_files() {
   for (const Unfinished& each : unfinished)
     if (each.is_used != 0) unlink(each.path.data());

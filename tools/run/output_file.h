@@ -28,6 +28,9 @@ class OutputFile {
   std::unique_ptr<State> state_;
 };
 
+/// Whether the name of a file ends like this, in small letters or capitals.   Requires    an ending in small letters
+bool has_ending(std::string_view path, std::string_view ending);
+
 /// Removes the temporary files of this process; safe in a signal handler.
 void remove_unfinished_files();
 
