@@ -123,7 +123,7 @@ class Collection(unittest.TestCase):
                                                   "a16161d855480000803f00000040")]
         kept = self.run_tool(["refine"], b"".join(forms))[1]["document-refine.cbor"]
         self.assertEqual(set(kept), {forms[0], *forms[2:]})
-        kept = self.run_tool(["refine"], b'{"d": "' + b"x" * (1 << 20) + b'"}\n')[1]
+        kept = self.run_tool(["refine"], b'{"d": "' + b"x" * (16 << 20) + b'"}\n')[1]
         self.assertIn("document-refine.json.large", kept)
 
     def test_validation(self):

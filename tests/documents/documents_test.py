@@ -96,7 +96,7 @@ def main():
     print(f"{len(files)} documents, of each tool and shape the smallest:",
           ", ".join(f"{n} of {name}" for name, n in sorted(counts.items())))
     print("written by", ", ".join(f"{tool} ({n})" for tool, n in sorted(tools.items())))
-    print(f"not validated, since there are none below 1 MB: {len(large)} shapes", *sorted(file.name for file in large))
+    print(f"not validated, since there are none below 16 MB: {len(large)} shapes", *sorted(file.name for file in large))
     if not faults and "AJV" in os.environ:
         faults = faults_by_ajv(files)
         print("validated by ajv as well")

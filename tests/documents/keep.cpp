@@ -17,7 +17,7 @@
 namespace {
 
 namespace fs = std::filesystem;
-constexpr std::size_t longest = 1 << 20;  // of a document that is kept; it takes python3-jsonschema a second
+constexpr std::size_t longest = 16 << 20;  // of a document that is kept; a megabyte takes python3-jsonschema a second
 
 /// Another process may do the same at the same time, and no half of a file is ever to be seen.
 void write_whole(const fs::path& path, std::string_view text) {
