@@ -14,9 +14,9 @@ struct Placement {
   Point in_document(const Point& p) const { return origin + unit * p; }
 };
 
-/// A document as it is drawn. Viewers compute with 24 bits, and Chromium takes a gradient shorter than 2^-15 for a plain
-/// colour: what is shown is drawn in another unit where it is very small or large, about another origin where it lies far
-/// from that of the document.
+/// A document as it is drawn. Viewers compute with 24 bits, and Chromium takes a gradient shorter than 2^-15 for a
+/// plain colour: what is shown is drawn in another unit where it is very small or large, about another origin where it
+/// lies far from that of the document.
 class PlacedDocument {
  public:
   /// Throws      InputError where the mesh is too large or too small (require_document_size)
