@@ -89,8 +89,9 @@ std::vector<TextBox> text_boxes(const std::string& svg) {
 TEST_CASE("texts neither overlap nor leave the picture, whatever sizes, titles, names and numbers are",
           "[formats][svg][property]") {
   const double width = GENERATE(50.0, 110.0, 170.0, 320.0, 1000.0);
-  const auto [wide, high] =
+  const auto [given_width, given_height] =
       GENERATE(table<double, double>({{1, 1}, {1000, 1}, {1, 40}, {3e-9, 1e-9}, {2e12, 1e12}, {1e150, 1e150}}));
+  const double wide = given_width, high = given_height;  // clang 14 lets no lambda capture the others
   const std::string title = GENERATE(
       "Short", "A title of many words that stands in several lines wherever the picture is narrow, and further on",
       "Donaudampfschifffahrtsgesellschaftskapitaenswitwenrentenantragsformularvordruck");
