@@ -92,7 +92,7 @@ int main(int argc, char** argv) {
     OutputFile output(options.output);
     GltfWriter writer(gltf);
     std::size_t meshes = 0, triangles = 0;
-    for_each_mesh(options, [&](MeshData&& mesh, const Frame&) {
+    for_each_mesh(options, [&](MeshData&& mesh, const Frame& frame) {
       require_mesh(mesh, true);
       ++meshes;
       triangles += mesh.triangle_faces.size();
@@ -100,7 +100,7 @@ int main(int argc, char** argv) {
       try {
         writer.add(mesh);
       } catch (const std::invalid_argument& error) {
-        throw UsageError(std::string("--color: ") + error.what());
+        throw UsageError(frame.source + ": frame " + std::to_string(frame.index) + ": --color: " + error.what());
       }
     });
     const std::string bytes = writer.finish(binary);

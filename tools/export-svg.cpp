@@ -89,7 +89,7 @@ int main(int argc, char** argv) {
     } catch (const std::invalid_argument& error) {
       throw UsageError(error.what());
     }
-    for (const std::string& words : left_out) say(options, words + "; it is left out");
+    for (const std::string& words : left_out) say(options, words + ", and left out");
     text = in_format(std::move(text), drawing.format());
     output.write(text);
     output.commit();

@@ -94,6 +94,7 @@ struct ReportOptions {
   }
 
   void check() {
+    if (format != "html" && !title.empty()) throw UsageError("--title belongs to --format html");
     if (format != "html" && !(circle_texts.empty() && drawings.empty()))
       throw UsageError("--circle and --svg belong to --format html");
     circles = parse_circles(circle_texts);

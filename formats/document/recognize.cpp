@@ -87,7 +87,7 @@ Kind recognize_packed(std::string_view head) {
       {"PK\x03\x04", {"a zip archive", ": extract its files first, by unzip FILE"}},
       {"PK\x05\x06", {"a zip archive without files", ": give a document"}},
       {"7z\xBC\xAF\x27\x1C", {"a 7z archive", ": extract its files first, by 7z x FILE"}},
-      {"Rar!\x1A\x07", {"a rar archive", ": extract its files first"}},
+      {"Rar!\x1A\x07", {"a rar archive", ": extract its files first, by unrar x FILE"}},
       {"\xFD\x37zXZ", xz},
       {"BZh", bzip2},
       {"LZIP", lzip},

@@ -82,6 +82,10 @@ std::vector<std::string> write_svg(const MeshData& document, const SvgOptions& w
   Frame frame(options, *theme, box, placement,
               wants_legend ? [&legend](double height) { return legend_width(legend, height); }
                            : std::function<double(double)>());
+  constexpr double most_pixels = 1e7;  // more than any mesh makes high without a box
+  if (!(frame.drawn_height() * options.scale <= most_pixels))
+    throw std::invalid_argument("--box: the picture would be " + short_number(frame.drawn_height() * options.scale) +
+                                " pixels high, more than 1e7");
   const MeshEdges edges = find_edges(mesh);
   const Drawing drawing{mesh, options, *theme, map, values, range, bad, edges, box, placement, frame.pixel()};
 

@@ -19,6 +19,8 @@ grep -q '<title>a &lt; b</title>' out || fail "the page should have the title"
 [ "$(tail -n 1 out)" = '</html>' ] || fail "the page should be whole"
 (($(grep -c '^<script type="application/json" class="frame">' out) == 2)) || fail "the page should have both frames"
 cp out page.html
+run 2 qualityreport --title 'a < b' two.jsonl
+says '--title belongs to --format html'
 run 0 qualityreport --format html --title 'a < b' -o page.file two.jsonl
 cmp -s page.html page.file || fail "-o should write the same page"
 

@@ -74,6 +74,8 @@ class StepParser {
     const std::string option = word.substr(0, word.find('='));
     if (option == "-o" || option == "--output") return "; evolve writes the frames: give it before STEP";
     if (option == "--report") return "; evolve's own --log tells what each stage did";
+    if (option == "--history") return "; give --add-history to evolve, before STEP";
+    if (option == "--to") return "; give it to evolve, before STEP: documents are written there";
     if (option == "-q" || option == "--quiet" || option == "-v" || option == "--verbose")
       return "; give it to evolve, before STEP";
     return "";

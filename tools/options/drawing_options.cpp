@@ -103,6 +103,11 @@ void DrawingOptions::add(CLI::App& app) {
 
 void DrawingOptions::check(const std::string& output, SvgOptions& svg) {
   std::string name = format_name_;
+  for (const std::string_view other :
+       {".jpg", ".jpeg", ".gif", ".webp", ".tif", ".tiff", ".bmp", ".eps", ".ps", ".svgz"})
+    if (name.empty() && has_ending(output, other))
+      throw UsageError("-o " + output + ": svg, png and pdf are written, no " + std::string(other.substr(1)) +
+                       "; with --format svg, say, a file of any name is");
   if (name.empty()) name = has_ending(output, ".png") ? "png" : has_ending(output, ".pdf") ? "pdf" : "svg";
   if (name == "png")
     format_ = Format::png;

@@ -10,6 +10,14 @@
 
 namespace pliant {
 
+bool Drawing::shows(const std::vector<Point>& points) const {
+  constexpr double widest = 10;  // of a line, in pixels
+  const Vector reach = widest * pixel * Vector{1, 1};
+  Box hull;
+  for (const Point& p : points) hull.extend(p);
+  return hull.overlaps({box.low - reach, box.high + reach});
+}
+
 Rgb Drawing::color_at(TriangleId t, const Barycentric& xi) const {
   switch (options.color.kind) {
     case ColorBy::Kind::nothing:
@@ -83,10 +91,12 @@ void draw_control_net(const Drawing& drawing, std::string& out) {
   SvgPath path = drawing.path(out);
   path.text("<g class=\"control-net\" fill=\"none\" stroke=\"#d6336c\" stroke-linecap=\"round\">\n<path");
   path.text(drawing.stroke_width(0.5 * fine + 0.2)).text(" stroke-opacity=\"0.8\" d=\"");
-  for (const auto& [p, q] : legs) path.move_to(drawing.at(p)).text("L").point(drawing.at(q));
+  for (const auto& [p, q] : legs)
+    if (drawing.shows({drawing.at(p), drawing.at(q)})) path.move_to(drawing.at(p)).text("L").point(drawing.at(q));
   // A line without length but with round ends is drawn as a dot.
   path.text("\"/>\n<path").text(drawing.stroke_width(2.5 * fine + 1)).text(" d=\"");
-  for (const PointId p : points) path.move_to(drawing.at(p)).text("h0");
+  for (const PointId p : points)
+    if (drawing.shows({drawing.at(p)})) path.move_to(drawing.at(p)).text("h0");
   path.text("\"/>\n</g>\n");
 }
 
@@ -99,7 +109,8 @@ void draw_logical_mesh(const Drawing& drawing, std::string& out) {
       "<path class=\"logical-mesh\" fill=\"none\" stroke=\"#1c7ed6\" stroke-linecap=\"round\" stroke-dasharray=\"");
   path.text(dash).text(" ").text(dash).text("\"").text(drawing.stroke_width(fine + 0.2)).text(" d=\"");
   for (const MeshEdge& edge : drawing.edges.edges)
-    path.move_to(drawing.at(edge.points.front())).text("L").point(drawing.at(edge.points.back()));
+    if (const Point a = drawing.at(edge.points.front()), b = drawing.at(edge.points.back()); drawing.shows({a, b}))
+      path.move_to(a).text("L").point(b);
   path.text("\"/>\n");
 }
 

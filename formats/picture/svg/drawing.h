@@ -29,6 +29,8 @@ struct Drawing {
 
   TriangleId triangles() const { return static_cast<TriangleId>(mesh.triangle_faces.size()); }
   const Point& at(PointId p) const { return mesh.points[static_cast<std::size_t>(p)]; }
+  /// False if what has these control points, and lines along it, lie outside of what is shown.
+  bool shows(const std::vector<Point>& points) const;
   /// The colour of the element at a point of it.
   Rgb color_at(TriangleId t, const Barycentric& xi) const;
   /// A path writer of the mesh's size, resolution and tolerance.

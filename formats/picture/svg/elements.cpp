@@ -34,9 +34,11 @@ class ElementLayer {
 };
 
 void ElementLayer::flat(TriangleId t) {
+  const std::vector<Point> net = element_net(drawing_.mesh, t);
+  if (!drawing_.shows(net)) return;
   const std::string color = hex(drawing_.color_at(t, {1, 0, 0}));
   path_.text("<path fill=\"").text(color).text("\" stroke=\"").text(color).text("\" d=\"");
-  write_outline(drawing_.mesh.degree, element_net(drawing_.mesh, t), path_);
+  write_outline(drawing_.mesh.degree, net, path_);
   path_.text("\"/>\n");
 }
 
@@ -78,6 +80,7 @@ void ElementLayer::shaded_piece(const std::vector<Point>& net, const std::array<
 
 void ElementLayer::shaded(TriangleId t) {
   const std::vector<Point> net = element_net(drawing_.mesh, t);
+  if (!drawing_.shows(net)) return;
   std::vector<double> rows, piece(2 * net.size());
   for (const Point& p : net) rows.insert(rows.end(), {p.x, p.y});
   const int n = pieces(t);
@@ -86,6 +89,7 @@ void ElementLayer::shaded(TriangleId t) {
     sub_net(drawing_.mesh.degree, 2, rows, a, b, c, piece);
     std::vector<Point> part;
     for (std::size_t i = 0; i < piece.size(); i += 2) part.push_back({piece[i], piece[i + 1]});
+    if (!drawing_.shows(part)) return;
     const Barycentric middle{(a[0] + b[0] + c[0]) / 3, (a[1] + b[1] + c[1]) / 3, (a[2] + b[2] + c[2]) / 3};
     shaded_piece(part, {place(values.at(t, a)), place(values.at(t, b)), place(values.at(t, c))},
                  place(values.at(t, middle)));
@@ -102,7 +106,7 @@ void ElementLayer::faces() {
   const MeshData& mesh = drawing_.mesh;
   std::map<FaceId, std::vector<TriangleId>> by_face;
   for (TriangleId t = 0; t < drawing_.triangles(); ++t)
-    by_face[mesh.triangle_faces[static_cast<std::size_t>(t)]].push_back(t);
+    if (drawing_.shows(element_net(mesh, t))) by_face[mesh.triangle_faces[static_cast<std::size_t>(t)]].push_back(t);
   for (const auto& [face, members] : by_face) {
     const std::string color = hex(face_color(drawing_.theme, face));
     path_.text("<path fill=\"").text(color).text("\" stroke=\"").text(color).text("\" d=\"");
@@ -145,7 +149,9 @@ void draw_marks(const Drawing& drawing, std::string& out) {
         .text(hex(color))
         .text("\" fill-opacity=\"0.6\" stroke=\"");
     path.text(hex(color)).text("\"").text(drawing.stroke_width(1.6)).text(" stroke-linejoin=\"round\" d=\"");
-    for (const TriangleId t : triangles) write_outline(drawing.mesh.degree, element_net(drawing.mesh, t), path);
+    for (const TriangleId t : triangles)
+      if (const std::vector<Point> net = element_net(drawing.mesh, t); drawing.shows(net))
+        write_outline(drawing.mesh.degree, net, path);
     path.text("\"><title>").text(std::to_string(triangles.size())).text(" ").text(word).text("</title></path>\n");
   };
   mark(drawing.bad.degenerate, degenerate_color, "degenerate");

@@ -32,11 +32,17 @@ std::string key_text(const std::string& name, const IsolineRequest& request, con
   return text;
 }
 
-void write_lines(const IsolineSet& set, SvgPath& path) {
+void write_lines(const Drawing& drawing, const IsolineSet& set, SvgPath& path) {
   for (const Isoline& line : set.lines) {
-    path.move_to(line.curves.front().front());
-    for (const std::vector<Point>& curve : line.curves) path.curve_to(curve);
-    if (line.closed) path.text("Z");
+    bool goes_on = false, all = true;
+    for (const std::vector<Point>& curve : line.curves) {
+      const bool is_shown = drawing.shows(curve);
+      if (is_shown && !goes_on) path.move_to(curve.front());
+      if (is_shown) path.curve_to(curve);
+      goes_on = is_shown;
+      all = all && is_shown;
+    }
+    if (line.closed && all) path.text("Z");
   }
 }
 
@@ -68,7 +74,7 @@ Key draw_isolines(const Drawing& drawing, const IsolineRequest& request, std::si
     const std::string id = "isoline" + std::to_string(number) + "-" + std::to_string(k);
     out += "<defs><path id=\"" + id + "\" class=\"isoline\" data-value=\"" + exact_number(values[k]) + "\" d=\"";
     SvgPath path = drawing.path(out);
-    write_lines(set, path);
+    write_lines(drawing, set, path);
     out += "\"/></defs>\n";
     const auto use = [&](const Rgb& ink, double pixels, const std::string& attributes, const std::string& content) {
       out += "<use xlink:href=\"#" + id + "\" stroke=\"" + hex(ink) + "\"" + drawing.stroke_width(pixels) + attributes +

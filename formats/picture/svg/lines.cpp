@@ -91,10 +91,11 @@ void draw_inner_edges(const Drawing& drawing, std::string& out) {
   SvgPath in_ink = drawing.path(inked), in_other = drawing.path(others);
   for (const MeshEdge& edge : drawing.edges.edges) {
     if (edge.constrained != none) continue;
-    in_runs(positions(drawing.mesh, edge.points), inks_along(drawing, edge),
-            [&](const std::vector<Point>& part, bool other) {
-              (other ? in_other : in_ink).move_to(part.front()).curve_to(part);
-            });
+    const std::vector<Point> polygon = positions(drawing.mesh, edge.points);
+    if (!drawing.shows(polygon)) continue;
+    in_runs(polygon, inks_along(drawing, edge), [&](const std::vector<Point>& part, bool other) {
+      (other ? in_other : in_ink).move_to(part.front()).curve_to(part);
+    });
   }
   const auto write = [&](std::string_view name, const Rgb& ink, const std::string& data) {
     out.append("<path class=\"").append(name).append("\" fill=\"none\" stroke=\"").append(hex(ink));
@@ -113,7 +114,7 @@ void draw_curves(const Drawing& drawing, std::string& out) {
   for (const MeshEdge& edge : drawing.edges.edges)
     if (edge.constrained != none)
       in_runs(positions(mesh, edge.points), inks_along(drawing, edge), [&](const std::vector<Point>& part, bool other) {
-        if (other) in_halo.move_to(part.front()).curve_to(part);
+        if (other && drawing.shows(part)) in_halo.move_to(part.front()).curve_to(part);
       });
   if (!halo.empty())
     out.append("<path class=\"halo\" fill=\"none\" stroke=\"")
@@ -133,11 +134,16 @@ void draw_curves(const Drawing& drawing, std::string& out) {
     path.text("<path d=\"");
     PointId at = none, first = none;
     for (const auto& [span, edge] : spans) {
+      const std::vector<Point> polygon = positions(mesh, edge->points);
+      if (!drawing.shows(polygon)) {
+        at = none;
+        continue;
+      }
       if (edge->points.front() != at) {
         first = edge->points.front();
         path.move_to(drawing.at(first));
       }
-      path.curve_to(positions(mesh, edge->points));
+      path.curve_to(polygon);
       at = edge->points.back();
       if (at == first) path.text("Z");
     }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "formats/picture/mesh_edges.h"
 #include "pliant/mesh/documents/document_unit.h"
@@ -63,6 +64,8 @@ PlacedDocument::PlacedDocument(const MeshData& mesh, const SvgOptions& options) 
   require_document_size(mesh);
   const Box tight = tight_box(mesh, options);
   const double side = larger_side(tight);
+  if (!(side <= greatest_document_size))
+    throw std::invalid_argument("what --box or --circle makes the picture show is wider than 3e153 (2^510)");
   placement_.unit = unit_for(side, std::max(side, bounding_box(mesh).size()));
   placement_.origin = {origin_of(tight.low.x, tight.high.x, side), origin_of(tight.low.y, tight.high.y, side)};
   if (placement_.unit != 1 || placement_.origin != Point{}) {

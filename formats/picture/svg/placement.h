@@ -19,7 +19,8 @@ struct Placement {
 /// lies far from that of the document.
 class PlacedDocument {
  public:
-  /// Throws      InputError where the mesh is too large or too small (require_document_size)
+  /// Throws      InputError where the mesh is too large or too small (require_document_size); std::invalid_argument
+  ///             where what is shown is
   PlacedDocument(const MeshData& mesh, const SvgOptions& options);
 
   const MeshData& mesh() const { return moved_ ? *moved_ : document_; }

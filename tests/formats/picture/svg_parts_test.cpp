@@ -304,7 +304,7 @@ TEST_CASE("texts of the command line cannot break the picture", "[formats][svg]"
   options.axes = true;
   const std::string svg = svg_of(swirling_disk(2), "none", options);
   CHECK(svg.find("<title>a &lt; b &amp; &quot;c&quot; \xEF\xBF\xBD ") != std::string::npos);
-  CHECK(svg.find("\xff") == std::string::npos);
+  CHECK(svg.find('\xff') == std::string::npos);
   CHECK(svg.find("\xed\xa0\x80") == std::string::npos);
   CHECK(svg.find("x (&lt;µm&gt;)") != std::string::npos);
 }

@@ -54,7 +54,7 @@ same net.svg out
 
 # What has no room is left out, with a word.
 run 0 export-svg --width 50 --axes --title Title disk.json
-says 'export-svg: the legend is too wide for a picture 50 pixels wide; it is left out'
+says 'export-svg: the legend is too wide for a picture 50 pixels wide, and left out'
 says 'the axes are too wide'
 run 0 export-svg -q --width 50 --axes --title Title disk.json
 silent
@@ -68,6 +68,17 @@ refuses() {
   no_output
 }
 refuses "--format: 'jpeg' is none of svg, png, pdf" --format jpeg
+refuses 'svg, png and pdf are written, no jpg' -o a.JPG
+[ ! -e a.JPG ] || fail 'a file of a format that is not written'
+refuses 'is wider than' --box=-1e308,-1e308,1e308,1e308
+refuses 'is wider than' --circle 1.7e308,0,1e308
+refuses 'pixels high' --box=0,0,1,1e9
+
+# What lies outside of the box is not in the picture, so that one from near takes no longer.
+run 0 export-svg --color face --isolines u=5 --box 0.1,0.1,0.11,0.11 disk.json
+near=$(wc -c <out)
+run 0 export-svg --color face --isolines u=5 disk.json
+((near < $(wc -c <out) / 2)) || fail "a picture of a hundredth has $near bytes"
 refuses "--theme: 'neon' is none of light, dark, print" --theme neon
 refuses "--layer: 'mesh' is none of control-net, logical-mesh" --layer mesh
 refuses "--isolines: the mesh has no field 'heat'" --isolines heat
