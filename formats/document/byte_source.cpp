@@ -62,7 +62,8 @@ class GzipDecompressor : public Decompressor {
       // Some programs fill up with zeros behind the last member.
       while (packed.size() > 0 && *packed.data() == 0) ++packed.begin;
       if (packed.size() == 0) return nullptr;
-      if (packed.data()[0] != gzip_magic[0]) return "bytes follow the compressed ones that are none";
+      if (packed.data()[0] != gzip_magic[0])
+        return "what follows its end is not compressed by gzip, as all of the file must be";
       inflateReset(&z_);
     }
     constexpr std::size_t most = 1U << 30;
