@@ -54,8 +54,9 @@ int main(int argc, char** argv) {
       ->check([](const std::string& text) { return fault_of_number(text, 50, 100000); })
       ->capture_default_str();
   app.add_option("--box", box, "what is shown; by default all control points and a margin")->type_name("X0,Y0,X1,Y1");
-  app.add_option("--resolution", resolution,
-                 "of numbers, as a part of the mesh's size, 1e-7 by default; 1e-4 serves a small picture")
+  app.add_option(
+         "--resolution", resolution,
+         "of numbers, as a part of the size of the mesh or the box, 1e-7 by default; 1e-4 serves a small picture")
       ->type_name("R");
   app.add_flag("--no-legend", no_legend, "leave out the column that explains the colours");
 

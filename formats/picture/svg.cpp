@@ -87,7 +87,8 @@ std::vector<std::string> write_svg(const MeshData& document, const SvgOptions& w
     throw std::invalid_argument("--box: the picture would be " + short_number(frame.drawn_height() * options.scale) +
                                 " pixels high, more than 1e7");
   const MeshEdges edges = find_edges(mesh);
-  const Drawing drawing{mesh, options, *theme, map, values, range, bad, edges, box, placement, frame.pixel()};
+  const double size = std::min(bounding_box(mesh).size(), box.size());
+  const Drawing drawing{mesh, options, *theme, map, values, range, bad, edges, box, placement, size, frame.pixel()};
 
   std::vector<Key> keys;
   std::string layers;

@@ -30,7 +30,7 @@ struct SvgOptions {
   double width = 1000;              ///< width of the whole picture, in pixels
   double scale = 1;                 ///< of texts and lines
   int subdivide = 0;                ///< pieces of an element's edge for a field's colours; 0: as many as they need
-  double resolution = 1e-7;         ///< numbers are rounded to this part of the mesh's size
+  double resolution = 1e-7;         ///< numbers are rounded to this part of the size of mesh or box, the smaller one
   double tolerance =
       1e-5;  ///< how far isolines, and curves of degree above 3, may be off, as a part of the mesh's size
   std::string theme = "light";  ///< one of themes()
@@ -51,7 +51,8 @@ struct SvgOptions {
 /// Appends the picture to `out`. Curves are exact for degrees 1 to 3 (lines, quadratic and cubic Bézier curves) apart
 /// from numbers that are rounded to the resolution. Returns what was asked for and has no room, a sentence each.
 /// Requires    M1 and M2 (check_structure); the mesh may be tangled: elements that are not valid are marked
-/// Throws      std::invalid_argument where the mesh has no such field; the text begins with the option that names it.
+/// Throws      std::invalid_argument where the mesh has no such field, or what is shown is too large; the text begins
+///             with the option.
 ///             InputError where the mesh is too large or too small (require_document_size)
 std::vector<std::string> write_svg(const MeshData& mesh, const SvgOptions& options, std::string& out);
 

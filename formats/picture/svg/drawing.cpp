@@ -6,17 +6,10 @@
 #include <set>
 #include <utility>
 
+#include "formats/picture/svg/shown_parts.h"
 #include "formats/picture/svg/text.h"
 
 namespace pliant {
-
-bool Drawing::shows(const std::vector<Point>& points) const {
-  constexpr double widest = 10;  // of a line, in pixels
-  const Vector reach = widest * pixel * Vector{1, 1};
-  Box hull;
-  for (const Point& p : points) hull.extend(p);
-  return hull.overlaps({box.low - reach, box.high + reach});
-}
 
 Rgb Drawing::color_at(TriangleId t, const Barycentric& xi) const {
   switch (options.color.kind) {
@@ -32,7 +25,6 @@ Rgb Drawing::color_at(TriangleId t, const Barycentric& xi) const {
 }
 
 SvgPath Drawing::path(std::string& out) const {
-  const double size = bounding_box(mesh).size();
   return SvgPath(out, size, options.tolerance * size, options.resolution);
 }
 
@@ -91,12 +83,14 @@ void draw_control_net(const Drawing& drawing, std::string& out) {
   SvgPath path = drawing.path(out);
   path.text("<g class=\"control-net\" fill=\"none\" stroke=\"#d6336c\" stroke-linecap=\"round\">\n<path");
   path.text(drawing.stroke_width(0.5 * fine + 0.2)).text(" stroke-opacity=\"0.8\" d=\"");
-  for (const auto& [p, q] : legs)
-    if (drawing.shows({drawing.at(p), drawing.at(q)})) path.move_to(drawing.at(p)).text("L").point(drawing.at(q));
+  const auto draw = [&path](const std::vector<Point>& line) {
+    path.move_to(line.front()).text("L").point(line.back());
+  };
+  for (const auto& [p, q] : legs) for_shown_parts(drawing, {drawing.at(p), drawing.at(q)}, draw);
   // A line without length but with round ends is drawn as a dot.
   path.text("\"/>\n<path").text(drawing.stroke_width(2.5 * fine + 1)).text(" d=\"");
   for (const PointId p : points)
-    if (drawing.shows({drawing.at(p)})) path.move_to(drawing.at(p)).text("h0");
+    if (is_drawn_whole(drawing, {&drawing.at(p), 1})) path.move_to(drawing.at(p)).text("h0");
   path.text("\"/>\n</g>\n");
 }
 
@@ -109,8 +103,9 @@ void draw_logical_mesh(const Drawing& drawing, std::string& out) {
       "<path class=\"logical-mesh\" fill=\"none\" stroke=\"#1c7ed6\" stroke-linecap=\"round\" stroke-dasharray=\"");
   path.text(dash).text(" ").text(dash).text("\"").text(drawing.stroke_width(fine + 0.2)).text(" d=\"");
   for (const MeshEdge& edge : drawing.edges.edges)
-    if (const Point a = drawing.at(edge.points.front()), b = drawing.at(edge.points.back()); drawing.shows({a, b}))
-      path.move_to(a).text("L").point(b);
+    for_shown_parts(
+        drawing, {drawing.at(edge.points.front()), drawing.at(edge.points.back())},
+        [&path](const std::vector<Point>& line) { path.move_to(line.front()).text("L").point(line.back()); });
   path.text("\"/>\n");
 }
 

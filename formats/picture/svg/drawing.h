@@ -25,15 +25,14 @@ struct Drawing {
   const MeshEdges& edges;
   const Box& box;  ///< what is shown
   const Placement& placement;
+  double size;   ///< of the mesh or of what is shown, whichever is smaller: what rounding and tolerance are parts of
   double pixel;  ///< size of a pixel in mesh units
 
   TriangleId triangles() const { return static_cast<TriangleId>(mesh.triangle_faces.size()); }
   const Point& at(PointId p) const { return mesh.points[static_cast<std::size_t>(p)]; }
-  /// False if what has these control points, and lines along it, lie outside of what is shown.
-  bool shows(const std::vector<Point>& points) const;
   /// The colour of the element at a point of it.
   Rgb color_at(TriangleId t, const Barycentric& xi) const;
-  /// A path writer of the mesh's size, resolution and tolerance.
+  /// A path writer with the drawing's size, resolution and tolerance.
   SvgPath path(std::string& out) const;
   /// ` stroke-width="…"` for a width in pixels, before the theme's factor.
   std::string stroke_width(double pixels) const;

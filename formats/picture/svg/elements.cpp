@@ -5,8 +5,8 @@
 
 #include "formats/picture/svg/drawing.h"
 #include "formats/picture/svg/legend.h"
+#include "formats/picture/svg/shown_parts.h"
 #include "formats/picture/svg/text.h"
-#include "pliant/geometry/control_net.h"
 #include "pliant/geometry/linear_triangle.h"
 
 namespace pliant {
@@ -15,10 +15,19 @@ namespace {
 constexpr int max_pieces = 8;
 constexpr double color_tolerance = 0.01;  // how far a field's colour may be off in an element, as a part of the range
 
+/// Appends what is shown of an element as closed path data.
+void write_shown(const Drawing& drawing, TriangleId t, SvgPath& path) {
+  ElementPieces(drawing, t)
+      .for_shown(ElementPieces::whole, [&](const ElementPieces::Corners&, const std::vector<Point>& net) {
+        write_outline(drawing.mesh.degree, net, path);
+      });
+}
+
 /// The layer of elements while it is being written.
 class ElementLayer {
  public:
-  ElementLayer(const Drawing& drawing, std::string& out) : drawing_(drawing), path_(drawing.path(out)) {}
+  ElementLayer(const Drawing& drawing, std::string& out)
+      : drawing_(drawing), path_(drawing.path(out)), in_outline_(drawing.path(outline_)) {}
   void faces();
   void flat(TriangleId t);
   void shaded(TriangleId t);
@@ -30,15 +39,17 @@ class ElementLayer {
 
   const Drawing& drawing_;
   SvgPath path_;
+  std::string outline_;
+  SvgPath in_outline_;
   int gradients_ = 0;
 };
 
 void ElementLayer::flat(TriangleId t) {
-  const std::vector<Point> net = element_net(drawing_.mesh, t);
-  if (!drawing_.shows(net)) return;
+  outline_.clear();
+  write_shown(drawing_, t, in_outline_);
+  if (outline_.empty()) return;
   const std::string color = hex(drawing_.color_at(t, {1, 0, 0}));
-  path_.text("<path fill=\"").text(color).text("\" stroke=\"").text(color).text("\" d=\"");
-  write_outline(drawing_.mesh.degree, net, path_);
+  path_.text("<path fill=\"").text(color).text("\" stroke=\"").text(color).text("\" d=\"").text(outline_);
   path_.text("\"/>\n");
 }
 
@@ -79,26 +90,20 @@ void ElementLayer::shaded_piece(const std::vector<Point>& net, const std::array<
 }
 
 void ElementLayer::shaded(TriangleId t) {
-  const std::vector<Point> net = element_net(drawing_.mesh, t);
-  if (!drawing_.shows(net)) return;
-  std::vector<double> rows, piece(2 * net.size());
-  for (const Point& p : net) rows.insert(rows.end(), {p.x, p.y});
   const int n = pieces(t);
   const ElementValues& values = drawing_.values;
-  const auto draw = [&](const Barycentric& a, const Barycentric& b, const Barycentric& c) {
-    sub_net(drawing_.mesh.degree, 2, rows, a, b, c, piece);
-    std::vector<Point> part;
-    for (std::size_t i = 0; i < piece.size(); i += 2) part.push_back({piece[i], piece[i + 1]});
-    if (!drawing_.shows(part)) return;
+  ElementPieces element(drawing_, t);
+  const ElementPieces::Use shade = [&](const ElementPieces::Corners& corners, const std::vector<Point>& net) {
+    const auto& [a, b, c] = corners;
     const Barycentric middle{(a[0] + b[0] + c[0]) / 3, (a[1] + b[1] + c[1]) / 3, (a[2] + b[2] + c[2]) / 3};
-    shaded_piece(part, {place(values.at(t, a)), place(values.at(t, b)), place(values.at(t, c))},
+    shaded_piece(net, {place(values.at(t, a)), place(values.at(t, b)), place(values.at(t, c))},
                  place(values.at(t, middle)));
   };
   const auto node = [n](int i, int j) { return Barycentric{double(n - i - j) / n, double(i) / n, double(j) / n}; };
   for (int i = 0; i < n; ++i)
     for (int j = 0; i + j < n; ++j) {
-      draw(node(i, j), node(i + 1, j), node(i, j + 1));
-      if (i + j < n - 1) draw(node(i + 1, j), node(i + 1, j + 1), node(i, j + 1));
+      element.for_shown({node(i, j), node(i + 1, j), node(i, j + 1)}, shade);
+      if (i + j < n - 1) element.for_shown({node(i + 1, j), node(i + 1, j + 1), node(i, j + 1)}, shade);
     }
 }
 
@@ -106,11 +111,13 @@ void ElementLayer::faces() {
   const MeshData& mesh = drawing_.mesh;
   std::map<FaceId, std::vector<TriangleId>> by_face;
   for (TriangleId t = 0; t < drawing_.triangles(); ++t)
-    if (drawing_.shows(element_net(mesh, t))) by_face[mesh.triangle_faces[static_cast<std::size_t>(t)]].push_back(t);
+    by_face[mesh.triangle_faces[static_cast<std::size_t>(t)]].push_back(t);
   for (const auto& [face, members] : by_face) {
+    outline_.clear();
+    for (const TriangleId t : members) write_shown(drawing_, t, in_outline_);
+    if (outline_.empty()) continue;
     const std::string color = hex(face_color(drawing_.theme, face));
-    path_.text("<path fill=\"").text(color).text("\" stroke=\"").text(color).text("\" d=\"");
-    for (const TriangleId t : members) write_outline(mesh.degree, element_net(mesh, t), path_);
+    path_.text("<path fill=\"").text(color).text("\" stroke=\"").text(color).text("\" d=\"").text(outline_);
     path_.text("\"><title>").text(escape_xml(mesh.boundary.faces[static_cast<std::size_t>(face)].name));
     path_.text("</title></path>\n");
   }
@@ -149,9 +156,7 @@ void draw_marks(const Drawing& drawing, std::string& out) {
         .text(hex(color))
         .text("\" fill-opacity=\"0.6\" stroke=\"");
     path.text(hex(color)).text("\"").text(drawing.stroke_width(1.6)).text(" stroke-linejoin=\"round\" d=\"");
-    for (const TriangleId t : triangles)
-      if (const std::vector<Point> net = element_net(drawing.mesh, t); drawing.shows(net))
-        write_outline(drawing.mesh.degree, net, path);
+    for (const TriangleId t : triangles) write_shown(drawing, t, path);
     path.text("\"><title>").text(std::to_string(triangles.size())).text(" ").text(word).text("</title></path>\n");
   };
   mark(drawing.bad.degenerate, degenerate_color, "degenerate");

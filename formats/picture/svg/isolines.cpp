@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "formats/picture/isolines/isolines.h"
+#include "formats/picture/svg/shown_parts.h"
 #include "formats/picture/svg/text.h"
 
 namespace pliant {
@@ -34,15 +35,19 @@ std::string key_text(const std::string& name, const IsolineRequest& request, con
 
 void write_lines(const Drawing& drawing, const IsolineSet& set, SvgPath& path) {
   for (const Isoline& line : set.lines) {
-    bool goes_on = false, all = true;
+    bool goes_on = false, is_whole = true;
     for (const std::vector<Point>& curve : line.curves) {
-      const bool is_shown = drawing.shows(curve);
-      if (is_shown && !goes_on) path.move_to(curve.front());
-      if (is_shown) path.curve_to(curve);
-      goes_on = is_shown;
-      all = all && is_shown;
+      if (is_drawn_whole(drawing, curve)) {
+        if (!goes_on) path.move_to(curve.front());
+        path.curve_to(curve);
+        goes_on = true;
+      } else {
+        for_shown_parts(drawing, curve,
+                        [&path](const std::vector<Point>& part) { path.move_to(part.front()).curve_to(part); });
+        goes_on = is_whole = false;
+      }
     }
-    if (line.closed && all) path.text("Z");
+    if (line.closed && is_whole) path.text("Z");
   }
 }
 

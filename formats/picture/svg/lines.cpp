@@ -3,6 +3,7 @@
 #include <map>
 
 #include "formats/picture/svg/drawing.h"
+#include "formats/picture/svg/shown_parts.h"
 #include "formats/picture/svg/text.h"
 #include "pliant/geometry/control_net.h"
 
@@ -72,13 +73,17 @@ std::vector<Point> part_of(const std::vector<Point>& polygon, double a, double b
   return part;
 }
 
-/// Calls draw(polygon, other) for the runs of an edge that have one ink.
+/// Calls draw(polygon, other) for what is shown of the runs of an edge that have one ink.
 template <typename Draw>
-void in_runs(const std::vector<Point>& polygon, const std::vector<bool>& inks, const Draw& draw) {
+void draw_in_inks(const Drawing& drawing, const MeshEdge& edge, const Draw& draw) {
+  const std::vector<Point> polygon = positions(drawing.mesh, edge.points);
+  if (!is_shown(drawing, polygon)) return;
+  const std::vector<bool> inks = inks_along(drawing, edge);
   const std::size_t n = inks.size();
   for (std::size_t from = 0, to = 0; from < n; from = to) {
     while (to < n && inks[to] == inks[from]) ++to;
-    draw(part_of(polygon, double(from) / double(n), double(to) / double(n)), inks[from]);
+    for_shown_parts(drawing, part_of(polygon, double(from) / double(n), double(to) / double(n)),
+                    [&](const std::vector<Point>& part) { draw(part, inks[from]); });
   }
 }
 
@@ -91,9 +96,7 @@ void draw_inner_edges(const Drawing& drawing, std::string& out) {
   SvgPath in_ink = drawing.path(inked), in_other = drawing.path(others);
   for (const MeshEdge& edge : drawing.edges.edges) {
     if (edge.constrained != none) continue;
-    const std::vector<Point> polygon = positions(drawing.mesh, edge.points);
-    if (!drawing.shows(polygon)) continue;
-    in_runs(polygon, inks_along(drawing, edge), [&](const std::vector<Point>& part, bool other) {
+    draw_in_inks(drawing, edge, [&](const std::vector<Point>& part, bool other) {
       (other ? in_other : in_ink).move_to(part.front()).curve_to(part);
     });
   }
@@ -113,8 +116,8 @@ void draw_curves(const Drawing& drawing, std::string& out) {
   SvgPath in_halo = drawing.path(halo);
   for (const MeshEdge& edge : drawing.edges.edges)
     if (edge.constrained != none)
-      in_runs(positions(mesh, edge.points), inks_along(drawing, edge), [&](const std::vector<Point>& part, bool other) {
-        if (other && drawing.shows(part)) in_halo.move_to(part.front()).curve_to(part);
+      draw_in_inks(drawing, edge, [&](const std::vector<Point>& part, bool other) {
+        if (other) in_halo.move_to(part.front()).curve_to(part);
       });
   if (!halo.empty())
     out.append("<path class=\"halo\" fill=\"none\" stroke=\"")
@@ -135,7 +138,9 @@ void draw_curves(const Drawing& drawing, std::string& out) {
     PointId at = none, first = none;
     for (const auto& [span, edge] : spans) {
       const std::vector<Point> polygon = positions(mesh, edge->points);
-      if (!drawing.shows(polygon)) {
+      if (!is_drawn_whole(drawing, polygon)) {
+        for_shown_parts(drawing, polygon,
+                        [&path](const std::vector<Point>& part) { path.move_to(part.front()).curve_to(part); });
         at = none;
         continue;
       }

@@ -14,9 +14,9 @@ namespace {
 constexpr double margin = 0.03;  // around the control points, as a part of the larger side
 // How far from the origin the picture may be, in its larger side: farther, a pixel is a few units in the last place.
 constexpr double far = 1024;
-constexpr double least = 0x1p-3, most = 0x1p20;  // larger sides of pictures in the document's unit
-constexpr int usual = 9;                         // in another unit the larger side is from 2^9 to 2^10
-constexpr int deepest = 60;                      // at most so many halvings from the mesh to what is shown
+constexpr double least_side = 0x1p-3, most_side = 0x1p20;  // larger sides of pictures in the document's unit
+constexpr int usual_exponent = 9;                          // in another unit the larger side is from 2^9 to 2^10
+constexpr int most_halvings = 60;                          // from the mesh to what is shown
 
 double larger_side(const Box& box) { return std::max(box.high.x - box.low.x, box.high.y - box.low.y); }
 
@@ -54,8 +54,8 @@ double origin_of(double low, double high, double side) {
 }
 
 double unit_for(double side, double size) {
-  if (side == 0 || (side >= least && side <= most)) return 1;
-  return std::exp2(std::max(std::ilogb(side) - usual, std::ilogb(size) - deepest));
+  if (side == 0 || (side >= least_side && side <= most_side)) return 1;
+  return std::exp2(std::max(std::ilogb(side) - usual_exponent, std::ilogb(size) - most_halvings));
 }
 
 }  // namespace
@@ -65,7 +65,7 @@ PlacedDocument::PlacedDocument(const MeshData& mesh, const SvgOptions& options) 
   const Box tight = tight_box(mesh, options);
   const double side = larger_side(tight);
   if (!(side <= greatest_document_size))
-    throw std::invalid_argument("what --box or --circle makes the picture show is wider than 3e153 (2^510)");
+    throw std::invalid_argument("--box, --circle: what is shown is wider than 3e153 (2^510)");
   placement_.unit = unit_for(side, std::max(side, bounding_box(mesh).size()));
   placement_.origin = {origin_of(tight.low.x, tight.high.x, side), origin_of(tight.low.y, tight.high.y, side)};
   if (placement_.unit != 1 || placement_.origin != Point{}) {

@@ -1,11 +1,17 @@
 // tests/formats/picture/svg_placement_test.cpp: meshes far from the origin are drawn about an origin of their own.
+#include <algorithm>
+#include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <regex>
+#include <utility>
 
+#include "formats/picture/mesh_edges.h"
 #include "formats/picture/svg.h"
 #include "formats/picture/svg/placement.h"
+#include "pliant/geometry/control_net.h"
 #include "support/sample_meshes.h"
+#include "support/svg_texts.h"
 
 namespace pliant {
 namespace {
@@ -112,6 +118,51 @@ TEST_CASE("a mesh of one point is drawn wherever it is", "[formats][svg]") {
   CHECK(text.find("nan") == std::string::npos);
   CHECK(text.find("inf") == std::string::npos);
   CHECK(text.find(" viewBox=\"-0.53 -0.53 1.06 1.06\"") != std::string::npos);
+}
+
+TEST_CASE("a picture from very near holds nothing that is far larger than it", "[formats][svg]") {
+  const int degree = GENERATE(1, 2, 5);
+  MeshData mesh = samples::disk(degree, 9, {0.25, 0.5}, 1);
+  samples::add_field(mesh, "x", 1, [](const Point& p) { return std::vector<double>{p.x * p.y}; });
+  const MeshEdges edges = find_edges(mesh);
+  const auto inner = std::ranges::find_if(edges.edges, [](const MeshEdge& edge) { return edge.constrained == none; });
+  const auto outer = std::ranges::find_if(edges.edges, [](const MeshEdge& edge) { return edge.constrained != none; });
+  REQUIRE((inner != edges.edges.end() && outer != edges.edges.end()));
+  for (const double side : {1e-2, 1e-5, 1e-8, 1e-12})
+    for (const auto& [edge, name] : {std::pair(*inner, "class=\"edges"), std::pair(*outer, "class=\"curves")})
+      for (const char* color : {"field:x", "shape", "face"}) {
+        CAPTURE(degree, side, name, color);
+        // The picture is of a place on the edge.
+        std::vector<double> rows;
+        for (const Point& p : positions(mesh, edge.points)) rows.insert(rows.end(), {p.x, p.y});
+        std::array<double, 2> at{};
+        evaluate_polygon(degree, 2, rows, 0.4, at);
+        const Vector half{side / 2, side / 2};
+        SvgOptions options;
+        options.box = Box{Point{at[0], at[1]} - half, Point{at[0], at[1]} + half};
+        options.control_net = options.logical_mesh = true;
+        options.isolines = {{"x", 5, {}}};
+        const std::string svg = samples::svg_of(mesh, color, options);
+        const PlacedDocument placed(mesh, options);
+        const Point center = 0.5 * (placed.box().low + placed.box().high);
+        const double width = placed.box().high.x - placed.box().low.x;
+        std::size_t paths = 0;
+        const std::string drawn = svg.substr(svg.find("<svg", 1));
+        const std::regex data(" d=\"([^\"]*)\"");
+        for (auto it = std::sregex_iterator(drawn.begin(), drawn.begin() + std::ptrdiff_t(drawn.find("</svg>")), data);
+             it != std::sregex_iterator(); ++it, ++paths) {
+          const std::vector<double> d = samples::numbers((*it)[1]);
+          for (std::size_t k = 0; k + 1 < d.size(); k += 2) CHECK(distance({d[k], -d[k + 1]}, center) < 200 * width);
+        }
+        CHECK(paths >= 3);
+        const std::size_t from = drawn.find("M", drawn.find(" d=", drawn.find(name)));
+        const std::string piece = drawn.substr(from, drawn.find_first_of("M\"Z", from + 1) - from);
+        const std::vector<double> d = samples::numbers(piece);
+        REQUIRE(d.size() >= 4);
+        // From so near the edge is straight, and passes the middle.
+        const Point a{d[0], -d[1]}, b{d[d.size() - 2], -d[d.size() - 1]};
+        if (degree == 1 || side < 1e-5) CHECK(std::abs(cross(b - a, center - a)) <= 1e-3 * width * distance(a, b));
+      }
 }
 
 }  // namespace pliant

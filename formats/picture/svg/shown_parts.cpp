@@ -1,0 +1,77 @@
+// formats/picture/svg/shown_parts.cpp: the parts of edges and elements that a picture shows.
+#include "formats/picture/svg/shown_parts.h"
+
+#include "pliant/geometry/control_net.h"
+
+namespace pliant {
+namespace {
+
+constexpr double widest_line = 10;    // in pixels
+constexpr double most_pictures = 64;  // how many pictures wide a part may be: renderers compute with 24 bits or fewer
+
+Box hull_of(std::span<const Point> points) {
+  Box hull;
+  for (const Point& p : points) hull.extend(p);
+  return hull;
+}
+
+bool overlaps(const Drawing& drawing, const Box& hull) {
+  const Vector reach = widest_line * drawing.pixel * Vector{1, 1};
+  return hull.overlaps({drawing.box.low - reach, drawing.box.high + reach});
+}
+
+bool is_too_large(const Drawing& drawing, const Box& hull) { return hull.size() > most_pictures * drawing.box.size(); }
+
+Barycentric middle(const Barycentric& a, const Barycentric& b) {
+  return {(a[0] + b[0]) / 2, (a[1] + b[1]) / 2, (a[2] + b[2]) / 2};
+}
+
+std::vector<double> rows_of(const std::vector<Point>& points) {
+  std::vector<double> rows;
+  rows.reserve(2 * points.size());
+  for (const Point& p : points) rows.insert(rows.end(), {p.x, p.y});
+  return rows;
+}
+
+std::vector<Point> points_of(const std::vector<double>& rows) {
+  std::vector<Point> points;
+  points.reserve(rows.size() / 2);
+  for (std::size_t i = 0; i < rows.size(); i += 2) points.push_back({rows[i], rows[i + 1]});
+  return points;
+}
+
+}  // namespace
+
+bool is_shown(const Drawing& drawing, std::span<const Point> points) { return overlaps(drawing, hull_of(points)); }
+
+bool is_drawn_whole(const Drawing& drawing, std::span<const Point> points) {
+  const Box hull = hull_of(points);
+  return overlaps(drawing, hull) && !is_too_large(drawing, hull);
+}
+
+void for_shown_parts(const Drawing& drawing, const std::vector<Point>& polygon,
+                     const std::function<void(const std::vector<Point>&)>& use) {
+  const Box hull = hull_of(polygon);
+  if (!overlaps(drawing, hull)) return;
+  if (!is_too_large(drawing, hull)) return use(polygon);
+  const std::vector<double> rows = rows_of(polygon);
+  std::vector<double> left(rows.size()), right(rows.size());
+  split_polygon(static_cast<int>(polygon.size()) - 1, 2, rows, 0.5, left, right);
+  for (const std::vector<double>& half : {left, right}) for_shown_parts(drawing, points_of(half), use);
+}
+
+ElementPieces::ElementPieces(const Drawing& drawing, TriangleId t)
+    : drawing_(drawing), rows_(rows_of(element_net(drawing.mesh, t))), piece_rows_(rows_.size()) {}
+
+void ElementPieces::for_shown(const Corners& corners, const Use& use) {
+  const auto& [a, b, c] = corners;
+  sub_net(drawing_.mesh.degree, 2, rows_, a, b, c, piece_rows_);
+  const std::vector<Point> net = points_of(piece_rows_);
+  const Box hull = hull_of(net);
+  if (!overlaps(drawing_, hull)) return;
+  if (!is_too_large(drawing_, hull)) return use(corners, net);
+  const Barycentric ab = middle(a, b), bc = middle(b, c), ca = middle(c, a);
+  for (const Corners& quarter : {Corners{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}}) for_shown(quarter, use);
+}
+
+}  // namespace pliant
