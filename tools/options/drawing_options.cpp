@@ -3,7 +3,6 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <charconv>
 #include <stdexcept>
 
 #include "formats/picture/svg/theme.h"
@@ -16,20 +15,11 @@ namespace {
 
 constexpr int most_isolines = 1000, most_arrows = 500;
 
-/// The whole number that is all of the text, if it is one.
-std::optional<int> whole_number(const std::string& text) {
-  int number = 0;
-  const char* last = text.data() + text.size();
-  const auto [end, error] = std::from_chars(text.data(), last, number);
-  if (error != std::errc() || end != last) return {};
-  return number;
-}
-
 int count_within(const std::string& option, const std::string& text, int most) {
-  const std::optional<int> count = whole_number(text);
+  const std::optional<long> count = whole_number(text);
   if (!count || *count < 1 || *count > most)
     throw UsageError(option + ": '" + text + "' is not a whole number from 1 to " + std::to_string(most));
-  return *count;
+  return static_cast<int>(*count);
 }
 
 /// FIELD, FIELD=N or FIELD=V,V…: one number with a point, an exponent, or a comma behind it is a value.
@@ -106,8 +96,8 @@ void DrawingOptions::check(const std::string& output, SvgOptions& svg) {
   for (const std::string_view other :
        {".jpg", ".jpeg", ".gif", ".webp", ".tif", ".tiff", ".bmp", ".eps", ".ps", ".svgz"})
     if (name.empty() && has_ending(output, other))
-      throw UsageError("-o " + output + ": svg, png and pdf are written, no " + std::string(other.substr(1)) +
-                       "; with --format svg, say, a file of any name is");
+      throw UsageError("-o " + output + ": pictures are svg, png or pdf, not " + std::string(other.substr(1)) +
+                       "; --format writes one under any name");
   if (name.empty()) name = has_ending(output, ".png") ? "png" : has_ending(output, ".pdf") ? "pdf" : "svg";
   if (name == "png")
     format_ = Format::png;

@@ -3,23 +3,10 @@
 
 #include <charconv>
 #include <cmath>
-#include <optional>
 
 #include "run/exit_status.h"
 
 namespace pliant {
-namespace {
-/// The whole number in decimal digits that is all of the text; none where there is another text, or no long for it.
-std::optional<long> whole_number(const std::string& text) {
-  long value = 0;
-  const char* first = text.c_str();
-  const char* const last = first + text.size();
-  if (text.size() > 1 && text[0] == '+' && text[1] != '-') ++first;
-  const auto [end, error] = std::from_chars(first, last, value);
-  if (end != last || error != std::errc()) return {};
-  return value;
-}
-}  // namespace
 
 double parse_number(const std::string& option, const std::string& text) {
   double value = 0;
@@ -54,6 +41,16 @@ std::string fault_of_number(const std::string& text, double low, double high) {
     return std::string(digits, std::to_chars(digits, digits + sizeof digits, bound).ptr);
   };
   return "'" + text + "' is not a number from " + shortest(low) + " to " + shortest(high);
+}
+
+std::optional<long> whole_number(const std::string& text) {
+  long value = 0;
+  const char* first = text.c_str();
+  const char* const last = first + text.size();
+  if (text.size() > 1 && text[0] == '+' && text[1] != '-') ++first;
+  const auto [end, error] = std::from_chars(first, last, value);
+  if (end != last || error != std::errc()) return {};
+  return value;
 }
 
 long parse_whole_number(const std::string& option, const std::string& text) {

@@ -1,5 +1,6 @@
 // tools/options/numbers.h: numbers from the texts of options.
 #pragma once
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -13,7 +14,9 @@ double parse_not_negative(const std::string& option, const std::string& text);
 /// What is wrong with the text of a number that is to lie between these two, both included; empty if nothing is. For
 /// CLI11's `check`, whose own ranges let NaN pass.
 std::string fault_of_number(const std::string& text, double low, double high);
-/// A whole number in decimal digits, all of the text.   Throws UsageError that names the option
+/// The whole number in decimal digits that is all of the text; none where there is another text, or no long for it.
+std::optional<long> whole_number(const std::string& text);
+/// The same.   Throws UsageError that names the option where there is none
 long parse_whole_number(const std::string& option, const std::string& text);
 /// What is wrong with the text of a whole number that is to lie between these two, as fault_of_number. For options
 /// whose text is parsed by parse_whole_number: CLI11 itself takes what is out of range for the greatest number that is

@@ -68,7 +68,7 @@ refuses() {
   no_output
 }
 refuses "--format: 'jpeg' is none of svg, png, pdf" --format jpeg
-refuses 'svg, png and pdf are written, no jpg' -o a.JPG
+refuses 'pictures are svg, png or pdf, not jpg' -o a.JPG
 [ ! -e a.JPG ] || fail 'a file of a format that is not written'
 refuses 'is wider than' --box=-1e308,-1e308,1e308,1e308
 refuses 'is wider than' --circle 1.7e308,0,1e308
