@@ -63,7 +63,7 @@ class GzipDecompressor : public Decompressor {
       while (packed.size() > 0 && *packed.data() == 0) ++packed.begin;
       if (packed.size() == 0) return nullptr;
       if (packed.data()[0] != gzip_magic[0])
-        return "what follows its end is not compressed by gzip, as all of the file must be";
+        return "bytes follow that gzip did not compress; it must compress all of the file";
       inflateReset(&z_);
     }
     constexpr std::size_t most = 1U << 30;

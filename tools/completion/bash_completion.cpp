@@ -154,7 +154,7 @@ _@FUNCTION@() {
   _pliant_reply "${choices[@]}"
 }
 
-# Asks the tool itself for the names that the option may have, some of which are in the input; an alias stands for $tool.
+# Asks the tool itself, which is $tool behind an alias, for the names that the option may have: some are in the input.
 _pliant_ask() {
   local others=("${words[@]:1:at-1}") answer=() path
   if [[ $option ]]; then others=("${words[@]:1}"); fi

@@ -11,7 +11,7 @@ namespace {
 constexpr const char* text = R"--(#compdef @TOOL@
 # Completion of @TOOL@ in zsh: what `@TOOL@ --completion zsh` prints.
 
-# Asks the tool itself for the names that the option $1 may have, some of which are in the input; an alias stands for $tool.
+# Asks the tool itself, which is $tool behind an alias, for the names that the option $1 may have: some are in the input.
 _pliant_ask() {
   local asked=${(Q)words[1]} typed=${(Q)PREFIX} name
   local -a others answer whole begun

@@ -7,6 +7,7 @@ namespace pliant::svg {
 namespace {
 
 constexpr double vanishing = 1e-9;  // a speed below this part of a curve's size counts as a stop
+constexpr double slowest = 1e-7;    // a least speed up to this part is sought, and is an event
 constexpr double straight = 1e-13;  // a curve that bends less than this part of its size is a line
 constexpr int samples = 64;         // of the curvature, between which its events are found by halving
 
@@ -150,12 +151,12 @@ void StrokePart::add_events(double r, std::vector<double>& out) const {
   const double most_change = step * std::max(pliant::length(second(first_)), pliant::length(second(last_)));
   for (int i = 0; i < samples; ++i) {  // the least speed between samples, by thirds
     double low = first_ + i * step, high = low + step;
-    if (speed(low) - most_change > 1e-7 * size) continue;
+    if (speed(low) - most_change > slowest * size) continue;
     for (int k = 0; k < 100; ++k) {
       const double a = low + (high - low) / 3, b = high - (high - low) / 3;
       (speed(a) < speed(b) ? high : low) = speed(a) < speed(b) ? b : a;
     }
-    if (speed(low) <= 1e-7 * size) out.push_back(low);
+    if (speed(low) <= slowest * size) out.push_back(low);
   }
 }
 
