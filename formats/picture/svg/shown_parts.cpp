@@ -8,6 +8,7 @@ namespace {
 
 constexpr double widest_line = 10;    // in pixels
 constexpr double most_pictures = 64;  // how many pictures wide a part may be: renderers compute with 24 bits or fewer
+constexpr int last_generation = 48;   // of halves: doubles have 53 bits
 
 Box hull_of(std::span<const Point> points) {
   Box hull;
@@ -40,6 +41,17 @@ std::vector<Point> points_of(const std::vector<double>& rows) {
   return points;
 }
 
+void for_shown_parts(const Drawing& drawing, const std::vector<Point>& polygon,
+                     const std::function<void(const std::vector<Point>&)>& use, int generation) {
+  const Box hull = hull_of(polygon);
+  if (!overlaps(drawing, hull)) return;
+  if (!is_too_large(drawing, hull) || generation == last_generation) return use(polygon);
+  const std::vector<double> rows = rows_of(polygon);
+  std::vector<double> left(rows.size()), right(rows.size());
+  split_polygon(static_cast<int>(polygon.size()) - 1, 2, rows, 0.5, left, right);
+  for (const std::vector<double>& half : {left, right}) for_shown_parts(drawing, points_of(half), use, generation + 1);
+}
+
 }  // namespace
 
 bool is_shown(const Drawing& drawing, std::span<const Point> points) { return overlaps(drawing, hull_of(points)); }
@@ -51,27 +63,22 @@ bool is_drawn_whole(const Drawing& drawing, std::span<const Point> points) {
 
 void for_shown_parts(const Drawing& drawing, const std::vector<Point>& polygon,
                      const std::function<void(const std::vector<Point>&)>& use) {
-  const Box hull = hull_of(polygon);
-  if (!overlaps(drawing, hull)) return;
-  if (!is_too_large(drawing, hull)) return use(polygon);
-  const std::vector<double> rows = rows_of(polygon);
-  std::vector<double> left(rows.size()), right(rows.size());
-  split_polygon(static_cast<int>(polygon.size()) - 1, 2, rows, 0.5, left, right);
-  for (const std::vector<double>& half : {left, right}) for_shown_parts(drawing, points_of(half), use);
+  for_shown_parts(drawing, polygon, use, 0);
 }
 
 ElementPieces::ElementPieces(const Drawing& drawing, TriangleId t)
     : drawing_(drawing), rows_(rows_of(element_net(drawing.mesh, t))), piece_rows_(rows_.size()) {}
 
-void ElementPieces::for_shown(const Corners& corners, const Use& use) {
+void ElementPieces::for_shown(const Corners& corners, const Use& use, int generation) {
   const auto& [a, b, c] = corners;
   sub_net(drawing_.mesh.degree, 2, rows_, a, b, c, piece_rows_);
   const std::vector<Point> net = points_of(piece_rows_);
   const Box hull = hull_of(net);
   if (!overlaps(drawing_, hull)) return;
-  if (!is_too_large(drawing_, hull)) return use(corners, net);
+  if (!is_too_large(drawing_, hull) || generation == last_generation) return use(corners, net);
   const Barycentric ab = middle(a, b), bc = middle(b, c), ca = middle(c, a);
-  for (const Corners& quarter : {Corners{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}}) for_shown(quarter, use);
+  for (const Corners& quarter : {Corners{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}})
+    for_shown(quarter, use, generation + 1);
 }
 
 }  // namespace pliant

@@ -120,6 +120,21 @@ TEST_CASE("a mesh of one point is drawn wherever it is", "[formats][svg]") {
   CHECK(text.find(" viewBox=\"-0.53 -0.53 1.06 1.06\"") != std::string::npos);
 }
 
+TEST_CASE("a box smaller than what rounding moves points by is drawn, too", "[formats][svg]") {
+  MeshData mesh = samples::disk(GENERATE(1, 2, 5), 7, {0, 0}, 1);
+  samples::add_field(mesh, "x", 1, [](const Point& p) { return std::vector<double>{p.x}; });
+  const double half = GENERATE(1e-15, 1e-16, 1e-17, 1e-20, 1e-100, 1e-300, 5e-324);
+  CAPTURE(mesh.degree, half);
+  SvgOptions options;
+  options.box = Box{{-half, -half}, {half, half}};
+  options.isolines = {{"x", 5, {}}};
+  for (const char* color : {"field:x", "shape", "face"}) {
+    const std::string svg = samples::svg_of(mesh, color, options);
+    CHECK(svg.find("nan") == std::string::npos);
+    CHECK(svg.find(" d=\"M") != std::string::npos);
+  }
+}
+
 TEST_CASE("a picture from very near holds nothing that is far larger than it", "[formats][svg]") {
   const int degree = GENERATE(1, 2, 5);
   MeshData mesh = samples::disk(degree, 9, {0.25, 0.5}, 1);
