@@ -6,8 +6,8 @@
 #include <string>
 
 #include "formats/document/cbor/cbor_items.h"
+#include "formats/document/characters.h"
 #include "formats/document/document_form.h"
-#include "formats/document/utf8.h"
 
 namespace pliant {
 namespace {

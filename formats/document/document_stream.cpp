@@ -15,12 +15,11 @@
 
 #include "formats/document/byte_source.h"
 #include "formats/document/cbor/cbor_items.h"
+#include "formats/document/characters.h"
 #include "formats/document/document_form.h"
 
 namespace pliant {
 namespace {
-
-bool is_space(char c) { return c == ' ' || c == '\n' || c == '\t' || c == '\r'; }
 
 /// Finds where an object ends: at the brace that closes its first one. Fed piece by piece.
 class ObjectEnd {

@@ -10,11 +10,11 @@
 namespace pliant {
 namespace {
 
-constexpr const char* member = "history";
+constexpr const char* history_member = "history";
 
 template <class Extra>
 auto find_history(Extra& extra) {
-  return std::ranges::find(extra, member, &ExtraMembers::value_type::first);
+  return std::ranges::find(extra, history_member, &ExtraMembers::value_type::first);
 }
 
 bool is_entry(const Json& value) {
@@ -29,7 +29,7 @@ bool is_entry(const Json& value) {
 void require_history(const ExtraMembers& extra) {
   const auto found = find_history(extra);
   if (found != extra.end() && !to_json(*found->second).is_array())
-    throw InputError(std::string("/") + member, "is no array of tools, so that none can be added to it");
+    throw InputError(std::string("/") + history_member, "is no array of tools, so that none can be added to it");
 }
 
 void add_history(ExtraMembers& extra, const HistoryEntry& entry) {
@@ -38,7 +38,7 @@ void add_history(ExtraMembers& extra, const HistoryEntry& entry) {
   Json entries = found == extra.end() ? Json::array() : to_json(*found->second);
   entries.push_back({{"tool", entry.tool}, {"version", entry.version}, {"options", entry.options}});
   if (found == extra.end())
-    extra.emplace_back(member, to_document(std::move(entries)));
+    extra.emplace_back(history_member, to_document(std::move(entries)));
   else
     found->second = to_document(std::move(entries));
 }
@@ -59,7 +59,7 @@ void inherit_history(ExtraMembers& from, ExtraMembers& to) {
   Json entries = to_json(*found->second);
   const auto own = find_history(to);
   if (own == to.end()) {
-    to.emplace_back(member, found->second);
+    to.emplace_back(history_member, found->second);
   } else if (const Json& later = to_json(*own->second); later.is_array()) {
     entries.insert(entries.end(), later.begin(), later.end());
     own->second = to_document(std::move(entries));

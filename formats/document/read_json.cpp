@@ -4,14 +4,9 @@
 #include <algorithm>
 #include <cstring>
 
+#include "formats/document/characters.h"
+
 namespace pliant {
-namespace {
-
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-unsigned byte_of(char c) { return static_cast<unsigned char>(c); }
-
-}  // namespace
-
 // -- faults
 
 DocumentPlace JsonReader::place_of(const std::string& pointer) const {

@@ -9,12 +9,11 @@
 #include <limits>
 #include <optional>
 
+#include "formats/document/characters.h"
 #include "formats/document/read_json.h"
 
 namespace pliant {
 namespace {
-
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 /// Powers of ten that doubles hold exactly.
 constexpr std::array<double, 23> exact_powers = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,  1e9,  1e10, 1e11,

@@ -1,13 +1,11 @@
 // formats/document/read_json_strings.cpp: strings: UTF-8 and escapes.
 #include <charconv>
 
+#include "formats/document/characters.h"
 #include "formats/document/read_json.h"
-#include "formats/document/utf8.h"
 
 namespace pliant {
 namespace {
-
-unsigned byte_of(char c) { return static_cast<unsigned char>(c); }
 
 void append_utf8(std::string& out, unsigned code) {
   const auto add = [&](unsigned byte) { out += static_cast<char>(byte); };

@@ -10,23 +10,24 @@ namespace pliant {
 namespace {
 
 /// What the bytes are, and what to do with them; "" for what is not known.
-struct Kind {
+struct DocumentKind {
   std::string_view name, advice;
   bool is_document = false;
   std::string_view format = {};
 };
 
 constexpr std::string_view of_no_tool = ", which no tool of Pliant reads";
-constexpr Kind svg_drawing{"an SVG drawing", ": import-svg makes a boundary of it, bspline2mesh a mesh of that"};
-constexpr Kind msh_file{"a Gmsh MSH file",
-                        ": import-msh makes a mesh of it, and tools that read meshes take it as it is"};
-constexpr Kind vtk_file{"a VTK file", of_no_tool};
-constexpr Kind gltf_file{"a glTF file", ", a picture that export-gltf makes of a mesh; no tool reads it"};
-constexpr Kind quality_report{"a report of qualityreport's", ": give the mesh that it is about"};
-constexpr Kind pass_report{"a report of what a tool did (--report)", ": give the mesh that the tool wrote"};
-constexpr Kind evolve_log{"a log of evolve's", ": give the frames that evolve wrote (-o)"};
+constexpr DocumentKind svg_drawing{"an SVG drawing",
+                                   ": import-svg makes a boundary of it, bspline2mesh a mesh of that"};
+constexpr DocumentKind msh_file{"a Gmsh MSH file",
+                                ": import-msh makes a mesh of it, and tools that read meshes take it as it is"};
+constexpr DocumentKind vtk_file{"a VTK file", of_no_tool};
+constexpr DocumentKind gltf_file{"a glTF file", ", a picture that export-gltf makes of a mesh; no tool reads it"};
+constexpr DocumentKind quality_report{"a report of qualityreport's", ": give the mesh that it is about"};
+constexpr DocumentKind pass_report{"a report of what a tool did (--report)", ": give the mesh that the tool wrote"};
+constexpr DocumentKind evolve_log{"a log of evolve's", ": give the frames that evolve wrote (-o)"};
 
-Kind recognize_xml(std::string_view head) {
+DocumentKind recognize_xml(std::string_view head) {
   const auto holds = [head](std::string_view tag) { return head.find(tag) != std::string_view::npos; };
   if (holds("<svg") || holds(":svg")) return svg_drawing;
   if (holds("<VTKFile")) return vtk_file;
@@ -36,7 +37,7 @@ Kind recognize_xml(std::string_view head) {
 }
 
 /// JSON or CBOR: the names of members look the same in both.
-Kind recognize_document(std::string_view head) {
+DocumentKind recognize_document(std::string_view head) {
   const auto holds = [head](std::string_view text) { return head.find(text) != std::string_view::npos; };
   for (const std::string_view format : {"pliant-mesh", "pliant-boundary", "pliant-problem"})
     if (holds(format)) return {"a document", "", true, format};
@@ -67,22 +68,25 @@ bool begins_tar(std::string_view head) {
 
 /// Archives, and what is compressed by other programs than those that are decompressed on the way here. Bytes of gzip
 /// or zstd have come out of others, so that the file was compressed twice.
-Kind recognize_packed(std::string_view head) {
+DocumentKind recognize_packed(std::string_view head) {
   using namespace std::string_view_literals;
   struct Magic {
     std::string_view bytes;
-    Kind kind;
+    DocumentKind kind;
   };
-  constexpr Kind xz{"a file that xz compressed", ": xz -dc FILE | TOOL reads it (gzip and zstd need no such help)"};
-  constexpr Kind bzip2{"a file that bzip2 compressed",
-                       ": bzip2 -dc FILE | TOOL reads it (gzip and zstd need no such help)"};
-  constexpr Kind lzma{"a file that lzma compressed", ": xz -dc FILE | TOOL reads it (gzip and zstd need no such help)"};
-  constexpr Kind lzip{"a file that lzip compressed",
-                      ": lzip -dc FILE | TOOL reads it (gzip and zstd need no such help)"};
-  constexpr Kind lz4{"a file that lz4 compressed", ": lz4 -dc FILE | TOOL reads it (gzip and zstd need no such help)"};
-  constexpr Kind compress{"a file that compress made (.Z)", ": gzip -dc FILE | TOOL reads it"};
-  constexpr Kind twice{"a file that was compressed twice",
-                       ": decompress it once, by gzip -dc FILE or zstd -dc FILE, and give that to the tool"};
+  constexpr DocumentKind xz{"a file that xz compressed",
+                            ": xz -dc FILE | TOOL reads it (gzip and zstd need no such help)"};
+  constexpr DocumentKind bzip2{"a file that bzip2 compressed",
+                               ": bzip2 -dc FILE | TOOL reads it (gzip and zstd need no such help)"};
+  constexpr DocumentKind lzma{"a file that lzma compressed",
+                              ": xz -dc FILE | TOOL reads it (gzip and zstd need no such help)"};
+  constexpr DocumentKind lzip{"a file that lzip compressed",
+                              ": lzip -dc FILE | TOOL reads it (gzip and zstd need no such help)"};
+  constexpr DocumentKind lz4{"a file that lz4 compressed",
+                             ": lz4 -dc FILE | TOOL reads it (gzip and zstd need no such help)"};
+  constexpr DocumentKind compress{"a file that compress made (.Z)", ": gzip -dc FILE | TOOL reads it"};
+  constexpr DocumentKind twice{"a file that was compressed twice",
+                               ": decompress it once, by gzip -dc FILE or zstd -dc FILE, and give that to the tool"};
   static constexpr Magic magics[] = {
       {"PK\x03\x04", {"a zip archive", ": extract its files first, by unzip FILE"}},
       {"PK\x05\x06", {"a zip archive without files", ": give a document"}},
@@ -100,20 +104,21 @@ Kind recognize_packed(std::string_view head) {
   if (begins_tar(head)) return {"a tar archive", ": extract its files first, by tar -xf FILE"};
   const auto* const found =
       std::ranges::find_if(magics, [&](const Magic& each) { return head.starts_with(each.bytes); });
-  return found == std::end(magics) ? Kind{} : found->kind;
+  return found == std::end(magics) ? DocumentKind{} : found->kind;
 }
 
 /// What is known by its first bytes.
-Kind recognize_magic(std::string_view head) {
+DocumentKind recognize_magic(std::string_view head) {
   struct Magic {
     std::string_view bytes;
-    Kind kind;
+    DocumentKind kind;
   };
-  constexpr Kind pixels{"a picture of pixels", ", not of curves"};
-  constexpr Kind page{"a PDF file", ": a drawing program can save it as SVG, of which import-svg makes a boundary"};
-  constexpr Kind script{"a PostScript file",
-                        ": a drawing program can save it as SVG, of which import-svg makes a boundary"};
-  constexpr Kind utf16{"a text in UTF-16", ", while UTF-8 is read"};
+  constexpr DocumentKind pixels{"a picture of pixels", ", not of curves"};
+  constexpr DocumentKind page{"a PDF file",
+                              ": a drawing program can save it as SVG, of which import-svg makes a boundary"};
+  constexpr DocumentKind script{"a PostScript file",
+                                ": a drawing program can save it as SVG, of which import-svg makes a boundary"};
+  constexpr DocumentKind utf16{"a text in UTF-16", ", while UTF-8 is read"};
   const Magic magics[] = {{"glTF", gltf_file},
                           {"\x89PNG", pixels},
                           {"\xFF\xD8\xFF", pixels},
@@ -127,14 +132,14 @@ Kind recognize_magic(std::string_view head) {
                           {"# vtk DataFile", vtk_file}};
   const auto* const found =
       std::ranges::find_if(magics, [&](const Magic& each) { return head.starts_with(each.bytes); });
-  return found == std::end(magics) ? Kind{} : found->kind;
+  return found == std::end(magics) ? DocumentKind{} : found->kind;
 }
 
-Kind recognize(std::string_view bytes) {
+DocumentKind recognize(std::string_view bytes) {
   std::string_view head = bytes.substr(0, recognized_by);
   const auto starts = [&head](std::string_view magic) { return head.starts_with(magic); };
-  if (const Kind kind = recognize_packed(head); !kind.name.empty()) return kind;
-  if (const Kind kind = recognize_magic(head); !kind.name.empty()) return kind;
+  if (const DocumentKind kind = recognize_packed(head); !kind.name.empty()) return kind;
+  if (const DocumentKind kind = recognize_magic(head); !kind.name.empty()) return kind;
   if (form_of(head) == DocumentForm::cbor) return recognize_document(head);
   if (starts("\xEF\xBB\xBF")) head.remove_prefix(3);
   const std::size_t first = head.find_first_not_of(" \t\r\n");
@@ -161,7 +166,7 @@ std::string describe_other_format(std::string_view format) {
 }
 
 std::string describe_other_kind(std::string_view bytes, FileKind wanted) {
-  const Kind kind = recognize(bytes);
+  const DocumentKind kind = recognize(bytes);
   if (kind.name.empty()) return {};
   const bool wants_document = wanted != FileKind::svg && wanted != FileKind::msh;
   if ((wanted == FileKind::svg && kind.name == svg_drawing.name) ||

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <set>
 
-#include "formats/document/utf8.h"
+#include "formats/document/characters.h"
 #include "formats/msh/msh_fields.h"
 #include "formats/msh/msh_mesh.h"
 #include "pliant/geometry/index.h"

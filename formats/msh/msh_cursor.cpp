@@ -5,15 +5,10 @@
 #include <charconv>
 #include <limits>
 
+#include "formats/document/characters.h"
 #include "pliant/boundary/fault.h"
 
 namespace pliant {
-namespace {
-
-bool is_space(char c) { return c == ' ' || c == '\n' || c == '\t' || c == '\r'; }
-
-}  // namespace
-
 void MshCursor::skip_space() {
   while (at_ != end_ && is_space(*at_)) ++at_;
 }

@@ -11,9 +11,9 @@
 namespace pliant {
 namespace {
 
-class Tracer {
+class CurveTracer {
  public:
-  Tracer(const MshFile& file, const std::vector<OpenEdge>& open, MeshData& mesh)
+  CurveTracer(const MshFile& file, const std::vector<OpenEdge>& open, MeshData& mesh)
       : file_(file), mesh_(mesh), layout_(NetLayout::of(mesh.degree)) {
     find_marks();
     for (const OpenEdge& edge : open) {
@@ -220,7 +220,7 @@ class Tracer {
 }  // namespace
 
 std::vector<std::string> trace_curves(const MshFile& file, const std::vector<OpenEdge>& edges, MeshData& mesh) {
-  return Tracer(file, edges, mesh).run();
+  return CurveTracer(file, edges, mesh).run();
 }
 
 }  // namespace pliant

@@ -8,7 +8,7 @@
 namespace pliant {
 namespace {
 
-constexpr std::uint64_t most_tags = 100;           // Gmsh writes two string tags, one real and four integer ones
+constexpr std::uint64_t most_view_tags = 100;      // Gmsh writes two string tags, one real and four integer ones
 constexpr std::int32_t most_components = 9;        // of a tensor; Gmsh has no views of more
 constexpr std::int32_t triangle_topology = 3;      // Gmsh's number of triangles in interpolation schemes
 constexpr std::uint64_t most_values = 10000;       // in an entry of a section, or in a row of a scheme
@@ -17,7 +17,8 @@ constexpr std::int32_t most_element_nodes = 4000;  // above the 1331 nodes of a 
 /// How many tags of one kind follow.
 std::uint64_t tag_count(MshCursor& in, const char* what) {
   const std::uint64_t count = in.text_size(what);
-  if (count > most_tags) in.fail("expected " + std::string(what) + ", at most 100, found " + std::to_string(count));
+  if (count > most_view_tags)
+    in.fail("expected " + std::string(what) + ", at most 100, found " + std::to_string(count));
   return count;
 }
 

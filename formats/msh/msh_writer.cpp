@@ -23,9 +23,9 @@ int type_of(MshElementType::Family family, int order) {
   return type;
 }
 
-class Writer {
+class MshWriter {
  public:
-  Writer(const MeshData& mesh, const MshWriteOptions& options, std::string& out)
+  MshWriter(const MeshData& mesh, const MshWriteOptions& options, std::string& out)
       : mesh_(mesh),
         layout_(NetLayout::of(mesh.degree)),
         is_4_(options.version == MshWriteOptions::Version::v4_1),
@@ -318,7 +318,7 @@ class Writer {
 }  // namespace
 
 void write_msh(const MeshData& mesh, const MshWriteOptions& options, std::string& out) {
-  Writer(mesh, options, out).run();
+  MshWriter(mesh, options, out).run();
 }
 
 }  // namespace pliant

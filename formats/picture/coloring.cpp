@@ -6,16 +6,13 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "formats/picture/mesh_edges.h"
 #include "pliant/geometry/control_net.h"
 #include "pliant/geometry/linear_triangle.h"
 #include "pliant/quality/metrics.h"
 
 namespace pliant {
 namespace {
-
-constexpr Rgb rgb(unsigned code) {
-  return {double(code >> 16 & 255) / 255, double(code >> 8 & 255) / 255, double(code & 255) / 255};
-}
 
 constexpr std::array viridis{rgb(0x440154), rgb(0x482878), rgb(0x3e4989), rgb(0x31688e), rgb(0x26828e),
                              rgb(0x1f9e89), rgb(0x35b779), rgb(0x6ece58), rgb(0xb5de2b), rgb(0xfde725)};
@@ -31,11 +28,6 @@ constexpr std::array<Colormap, 5> maps{
     {{"viridis", viridis}, {"magma", magma}, {"plasma", plasma}, {"blue-red", blue_red}, {"grey", grey}}};
 constexpr std::array faces{rgb(0x5b8ec9), rgb(0xe58a5c), rgb(0x6fb58a), rgb(0xc76b84), rgb(0x8d7cc0),
                            rgb(0xd9b650), rgb(0x5fb3bd), rgb(0xa88468), rgb(0xd391bd), rgb(0x9aa3ad)};
-
-std::span<const PointId> net_of(const MeshData& mesh, TriangleId t) {
-  const auto size = static_cast<std::size_t>(net_size(mesh.degree));
-  return std::span(mesh.triangles).subspan(static_cast<std::size_t>(t) * size, size);
-}
 
 /// The component that "NAME.K" asks for, if the part after the last dot is a number.
 std::optional<int> component_of(std::string_view text, std::size_t dot) {
@@ -136,7 +128,7 @@ ElementValues::ElementValues(const MeshData& mesh, const ColorBy& by) : mesh_(me
 
 void ElementValues::control_values(TriangleId t, std::vector<double>& rows) const {
   const auto width = static_cast<std::size_t>(field_->components);
-  const std::span<const PointId> net = net_of(mesh_, t);
+  const std::span<const PointId> net = element_points(mesh_, t);
   rows.clear();
   rows.reserve(net.size() * width);
   for (const PointId p : net) {
@@ -169,7 +161,7 @@ double ElementValues::row_value(std::span<const double> row) const {
 double ElementValues::departure(TriangleId t) const {
   if (field_ == nullptr) return 0;
   std::vector<double> net;
-  for (const PointId p : net_of(mesh_, t)) {
+  for (const PointId p : element_points(mesh_, t)) {
     const Point& position = mesh_.points[static_cast<std::size_t>(p)];
     net.insert(net.end(), {position.x, position.y});
   }

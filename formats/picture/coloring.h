@@ -14,6 +14,10 @@ namespace pliant {
 
 /// A colour: red, green, blue in sRGB, each in [0, 1].
 using Rgb = std::array<double, 3>;
+/// From 0xRRGGBB.
+constexpr Rgb rgb(unsigned code) {
+  return {double(code >> 16 & 255) / 255, double(code >> 8 & 255) / 255, double(code & 255) / 255};
+}
 
 /// The colour as "#rrggbb".
 std::string hex(const Rgb& color);

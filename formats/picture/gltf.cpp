@@ -27,9 +27,9 @@ namespace {
 
 using tinygltf::Value;
 
-constexpr double color_tolerance = 0.01;  // how far a field's colour may be off, as a part of the frame's range
-constexpr double color_spread = 0.15;     // how much a piece's corners may differ, likewise: viewers mix their colours
-constexpr double layer = 5e-4;  // from obstacles to the fill, lines, and outlines, as a part of the mesh's size
+constexpr double vertex_color_tolerance = 0.01;  // how far a field's colour may be off, as a part of the frame's range
+constexpr double color_spread = 0.15;  // how much a piece's corners may differ, likewise: viewers mix their colours
+constexpr double layer = 5e-4;         // from obstacles to the fill, lines, and outlines, as a part of the mesh's size
 constexpr double height_tolerance = 0.005;  // how far heights may be off, as a part of the frame's range
 constexpr double least_height = 1e-15;      // of a lifted box, as a part of the mesh's size: viewers square its inverse
 constexpr Rgb ink{0.078, 0.137, 0.18}, plain{0.86, 0.89, 0.92};
@@ -229,7 +229,7 @@ TessellationOptions GltfWriter::State::cut_options(const ValueRange& own_range, 
   cut.subdivide = options.subdivide;
   cut.tolerance = options.tolerance * size;
   const ValueRange& shown = options.range ? *options.range : own_range;
-  cut.color_tolerance = color_tolerance * (shown.high - shown.low);
+  cut.color_tolerance = vertex_color_tolerance * (shown.high - shown.low);
   cut.color_spread = color_spread * (shown.high - shown.low);
   if (lifted != nullptr) {
     cut.heights = lifted;

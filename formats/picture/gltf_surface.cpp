@@ -8,7 +8,7 @@
 namespace pliant {
 namespace {
 
-constexpr double smooth = 0.999999;  // cosine of the angle (0.08 degrees) below which two edges share a pair
+constexpr double smooth_cosine = 0.999999;  // cosine of the angle (0.08 degrees) below which two edges share a pair
 
 /// The values of heights at the cuts of an edge, from one side of it.
 class EdgeHeights {
@@ -81,7 +81,7 @@ GltfBand outline_band(const MeshData& mesh, const MeshEdges& edges, const Elemen
       int n = options.subdivide > 0 ? options.subdivide : edge_pieces(polygon, options.tolerance);
       if (heights != nullptr) n = std::max(n, cuts[static_cast<std::size_t>(edge)]);
       const Polyline line = sample_edge(polygon, n);
-      const bool joins = points.front() == last_point && dot(line.tangents.front(), last_tangent) > smooth;
+      const bool joins = points.front() == last_point && dot(line.tangents.front(), last_tangent) > smooth_cosine;
       for (std::size_t k = joins ? 1 : 0; k < line.points.size(); ++k) {
         const Vector across = perpendicular(line.tangents[k]) * options.half_width;
         const double height = heights == nullptr ? 0 : edge_heights.at(c, side, double(k) / n);

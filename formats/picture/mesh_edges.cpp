@@ -62,10 +62,21 @@ std::vector<Point> positions(const MeshData& mesh, const std::vector<PointId>& p
   return result;
 }
 
-std::vector<Point> element_net(const MeshData& mesh, TriangleId t) {
+std::span<const PointId> element_points(const MeshData& mesh, TriangleId t) {
   const auto size = static_cast<std::size_t>(net_size(mesh.degree));
-  const auto first = mesh.triangles.begin() + static_cast<std::ptrdiff_t>(static_cast<std::size_t>(t) * size);
-  return positions(mesh, {first, first + static_cast<std::ptrdiff_t>(size)});
+  return std::span(mesh.triangles).subspan(static_cast<std::size_t>(t) * size, size);
+}
+
+std::vector<Point> element_net(const MeshData& mesh, TriangleId t) {
+  const std::span<const PointId> net = element_points(mesh, t);
+  return positions(mesh, {net.begin(), net.end()});
+}
+
+std::vector<double> rows_of(const std::vector<Point>& points) {
+  std::vector<double> rows;
+  rows.reserve(2 * points.size());
+  for (const Point& p : points) rows.insert(rows.end(), {p.x, p.y});
+  return rows;
 }
 
 Box bounding_box(const MeshData& mesh) {

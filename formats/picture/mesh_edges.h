@@ -2,6 +2,7 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "pliant/mesh/mesh_data.h"
@@ -28,8 +29,12 @@ MeshEdges find_edges(const MeshData& mesh);
 
 /// The positions of control points.
 std::vector<Point> positions(const MeshData& mesh, const std::vector<PointId>& points);
+/// The control points of triangle t.
+std::span<const PointId> element_points(const MeshData& mesh, TriangleId t);
 /// The positions of the net of triangle t.
 std::vector<Point> element_net(const MeshData& mesh, TriangleId t);
+/// x and y of points, one point behind the other: what evaluates several components takes them so.
+std::vector<double> rows_of(const std::vector<Point>& points);
 /// The box of all control points.
 Box bounding_box(const MeshData& mesh);
 

@@ -6,13 +6,14 @@
 #include <map>
 
 #include "formats/picture/cut_polygon.h"
+#include "formats/picture/mesh_edges.h"
 #include "pliant/geometry/control_net.h"
 #include "pliant/geometry/net_layout.h"
 
 namespace pliant {
 namespace {
 
-constexpr int max_pieces = 32;
+constexpr int max_edge_pieces = 32;
 constexpr int max_color_pieces = 8;
 
 /// The least power of two n with error <= tolerance * n^2, but at most `most`.
@@ -26,13 +27,6 @@ int power_of_two(int n) {
   int power = 1;
   while (power < n) power *= 2;
   return power;
-}
-
-std::vector<double> rows_of(const std::vector<Point>& points) {
-  std::vector<double> rows;
-  rows.reserve(2 * points.size());
-  for (const Point& p : points) rows.insert(rows.end(), {p.x, p.y});
-  return rows;
 }
 
 class Tessellator {
@@ -229,7 +223,7 @@ std::vector<std::array<std::array<int, 2>, 3>> ElementLattice::triangles() const
 
 int edge_pieces(const std::vector<Point>& polygon, double tolerance) {
   int n = 1;
-  for (const double error = bulge(polygon); n < max_pieces && error > tolerance * n * n;) ++n;
+  for (const double error = bulge(polygon); n < max_edge_pieces && error > tolerance * n * n;) ++n;
   return n;
 }
 

@@ -12,16 +12,16 @@
 namespace pliant {
 namespace {
 
-constexpr const char* member = "navierstokes";
+constexpr const char* memory_member = "navierstokes";
 
 }  // namespace
 
 FlowMemory recall_flow(const ExtraMembers& extra) {
   FlowMemory memory;
-  const auto found = std::ranges::find(extra, member, &ExtraMembers::value_type::first);
+  const auto found = std::ranges::find(extra, memory_member, &ExtraMembers::value_type::first);
   if (found == extra.end()) return memory;
   const Json& value = to_json(*found->second);
-  const std::string pointer = pointer_step(member);
+  const std::string pointer = pointer_step(memory_member);
   if (!value.is_object()) throw InputError(pointer, "what the last step of a flow left must be an object");
   if (const auto dt = value.find("dt"); dt != value.end()) {
     if (!dt->is_number() || !(dt->get<double>() > 0) || !std::isfinite(dt->get<double>()))
@@ -45,9 +45,9 @@ void remember_flow(ExtraMembers& extra, const FlowMemory& memory) {
   Json forces = Json::object();
   for (const auto& [name, force] : memory.forces) forces[name] = Json::array({force.x, force.y});
   if (!memory.forces.empty()) value["forces"] = std::move(forces);
-  const auto found = std::ranges::find(extra, member, &ExtraMembers::value_type::first);
+  const auto found = std::ranges::find(extra, memory_member, &ExtraMembers::value_type::first);
   if (found == extra.end())
-    extra.emplace_back(member, to_document(std::move(value)));
+    extra.emplace_back(memory_member, to_document(std::move(value)));
   else
     found->second = to_document(std::move(value));
 }

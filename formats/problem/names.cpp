@@ -3,14 +3,14 @@
 
 #include <algorithm>
 
+#include "formats/document/characters.h"
 #include "formats/document/recognize.h"
 #include "formats/document/write_json.h"
 
 namespace pliant {
 namespace {
 
-bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
+bool starts_name(char c) { return is_letter(c) || c == '_'; }
 
 }  // namespace
 
@@ -24,8 +24,8 @@ const std::vector<std::string>& expression_functions() {
 
 std::string fault_of_name(std::string_view name) {
   constexpr std::size_t longest = 64;
-  if (name.empty() || !is_letter(name.front()) ||
-      !std::ranges::all_of(name, [](char c) { return is_letter(c) || is_digit(c); }))
+  if (name.empty() || !starts_name(name.front()) ||
+      !std::ranges::all_of(name, [](char c) { return starts_name(c) || is_digit(c); }))
     return "a name in expressions consists of letters, digits and _, and does not begin with a digit";
   if (name.size() > longest) return "a name in expressions has at most " + std::to_string(longest) + " characters";
   if (name == "x" || name == "y") return "\"" + std::string(name) + "\" is a coordinate";

@@ -10,14 +10,15 @@
 namespace pliant {
 namespace {
 
-using Kind = NavierStokesCondition::Kind;
+using FlowKind = NavierStokesCondition::Kind;
 using Pressure = NavierStokesSection::Pressure;
 
-constexpr std::array kinds{Kind::velocity, Kind::slip, Kind::traction, Kind::outflow, Kind::natural};
+constexpr std::array kinds{FlowKind::velocity, FlowKind::slip, FlowKind::traction, FlowKind::outflow,
+                           FlowKind::natural};
 
-bool has_components(Kind kind) { return kind == Kind::velocity || kind == Kind::traction; }
+bool has_components(FlowKind kind) { return kind == FlowKind::velocity || kind == FlowKind::traction; }
 
-NavierStokesMaterial read_material(DocumentReader& in) {
+NavierStokesMaterial read_fluid(DocumentReader& in) {
   NavierStokesMaterial material;
   Presence seen(in);
   in.object([&](std::string_view name) {
@@ -37,18 +38,19 @@ NavierStokesMaterial read_material(DocumentReader& in) {
 void read_kind(DocumentReader& in, NavierStokesCondition& condition) {
   if (has_components(condition.kind)) {
     condition.components = read_expressions(
-        in, 2, condition.kind == Kind::velocity ? "a velocity is [EXPR, EXPR]" : "a traction is [EXPR, EXPR]");
+        in, 2, condition.kind == FlowKind::velocity ? "a velocity is [EXPR, EXPR]" : "a traction is [EXPR, EXPR]");
   } else if (!in.boolean()) {
     in.fail("should be true: a condition that does not hold is left out");
   }
 }
 
-NavierStokesCondition read_condition(DocumentReader& in) {
+NavierStokesCondition read_flow_condition(DocumentReader& in) {
   NavierStokesCondition condition;
   ConditionKind kind(in);
   Presence seen(in);
   in.object([&](std::string_view name) {
-    const auto* const named = std::ranges::find_if(kinds, [name](Kind each) { return name == condition_name(each); });
+    const auto* const named =
+        std::ranges::find_if(kinds, [name](FlowKind each) { return name == condition_name(each); });
     if (seen.is(name, "curve")) {
       condition.curves = read_curves(in);
     } else if (named != kinds.end()) {
@@ -84,14 +86,14 @@ Pressure read_pressure(DocumentReader& in) {
   in.fail(R"(should be "by-face" or "continuous")");
 }
 
-void write_material(DocumentWriter& out, const NavierStokesMaterial& material) {
+void write_fluid(DocumentWriter& out, const NavierStokesMaterial& material) {
   out.begin_object();
   if (material.density) write_expression(out.name("density"), *material.density);
   write_expression(out.name("viscosity"), material.viscosity);
   out.end_object();
 }
 
-void write_condition(DocumentWriter& out, const NavierStokesCondition& condition) {
+void write_flow_condition(DocumentWriter& out, const NavierStokesCondition& condition) {
   out.begin_object().name("curve");
   write_curves(out, condition.curves);
   out.name(condition_name(condition.kind));
@@ -107,13 +109,13 @@ void write_condition(DocumentWriter& out, const NavierStokesCondition& condition
 
 const char* condition_name(NavierStokesCondition::Kind kind) {
   switch (kind) {
-    case Kind::velocity:
+    case FlowKind::velocity:
       return "velocity";
-    case Kind::slip:
+    case FlowKind::slip:
       return "slip";
-    case Kind::traction:
+    case FlowKind::traction:
       return "traction";
-    case Kind::outflow:
+    case FlowKind::outflow:
       return "outflow";
     default:
       return "natural";
@@ -127,9 +129,9 @@ NavierStokesSection read_navier_stokes(DocumentReader& in) {
   Presence seen(in);
   in.object([&](std::string_view name) {
     if (seen.is(name, "materials"))
-      section.materials = read_by_name(in, read_material);
+      section.materials = read_by_name(in, read_fluid);
     else if (name == "conditions")
-      in.array([&] { section.conditions.push_back(read_condition(in)); });
+      in.array([&] { section.conditions.push_back(read_flow_condition(in)); });
     else if (name == "surface_tension")
       section.surface_tension = read_surface_tension(in);
     else if (name == "gravity")
@@ -151,9 +153,9 @@ NavierStokesSection read_navier_stokes(DocumentReader& in) {
 
 void write_navier_stokes(DocumentWriter& out, const NavierStokesSection& section) {
   out.begin_object();
-  write_by_name(out.name("materials"), section.materials, write_material);
+  write_by_name(out.name("materials"), section.materials, write_fluid);
   out.name("conditions").begin_array();
-  for (const NavierStokesCondition& condition : section.conditions) write_condition(out, condition);
+  for (const NavierStokesCondition& condition : section.conditions) write_flow_condition(out, condition);
   out.end_array();
   if (!section.surface_tension.empty())
     write_by_name(out.name("surface_tension"), section.surface_tension, write_expression);

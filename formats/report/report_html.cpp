@@ -12,6 +12,7 @@
 #include "formats/document/write_json.h"
 #include "formats/picture/base64.h"
 #include "formats/picture/coloring.h"
+#include "formats/picture/mesh_edges.h"
 #include "formats/picture/svg/text.h"
 #include "formats/report/report_json.h"
 #include "formats/report/report_page.h"
@@ -90,16 +91,11 @@ void write_array(JsonWriter& json, std::string_view name, const std::vector<Numb
   json.name(name).raw(text += '"');
 }
 
-std::span<const PointId> net_of(const MeshData& mesh, TriangleId t) {
-  const std::size_t size = mesh.triangles.size() / mesh.triangle_faces.size();
-  return std::span(mesh.triangles).subspan(static_cast<std::size_t>(t) * size, size);
-}
-
 /// Left, low, right, high of the elements' control points; null where there are none.
 Json box_of(const MeshData& mesh, const ElementFigures& elements) {
   ValueRange x, y;
   for (const TriangleId t : elements.triangles) {
-    for (const PointId p : net_of(mesh, t)) {
+    for (const PointId p : element_points(mesh, t)) {
       x.extend(mesh.points[static_cast<std::size_t>(p)].x);
       y.extend(mesh.points[static_cast<std::size_t>(p)].y);
     }
@@ -126,7 +122,7 @@ Json overlaps_of(const QualityReport& report) {
 std::vector<std::int32_t> rows_of(const MeshData& mesh, const ElementFigures& elements, const Field& field) {
   std::vector<std::int32_t> rows;
   for (const TriangleId t : elements.triangles)
-    for (const PointId p : net_of(mesh, t)) {
+    for (const PointId p : element_points(mesh, t)) {
       const std::array<std::int32_t, 2> place{p, mesh.triangle_faces[static_cast<std::size_t>(t)]};
       const auto found = std::lower_bound(field.places.begin(), field.places.end(), place);
       // A place that is missing is a fault; the row after the last has no numbers.
@@ -154,7 +150,7 @@ void add_field_ranges(const MeshData& mesh, const ElementFigures& elements, cons
     for (const std::int32_t row : rows_of(mesh, elements, field)) add(row);
   else
     for (const TriangleId t : elements.triangles)
-      for (const PointId p : net_of(mesh, t)) add(p);
+      for (const PointId p : element_points(mesh, t)) add(p);
   const auto put = [&ranges](const std::string& name, const ValueRange& range) {
     ranges[name] = range.is_empty() ? Json() : Json::array({range.low, range.high});
   };
@@ -213,7 +209,7 @@ std::string frame_mesh(const MeshData& mesh, const ElementFigures& elements) {
   std::vector<unsigned char> validity;
   for (std::size_t k = 0; k < elements.triangles.size(); ++k) {
     const auto t = static_cast<std::size_t>(elements.triangles[k]);
-    const std::span<const PointId> net = net_of(mesh, elements.triangles[k]);
+    const std::span<const PointId> net = element_points(mesh, elements.triangles[k]);
     nets.insert(nets.end(), net.begin(), net.end());
     faces.push_back(mesh.triangle_faces[t]);
     validity.push_back(static_cast<unsigned char>(elements.validity[k]));

@@ -7,14 +7,11 @@
 #include <numbers>
 #include <vector>
 
+#include "formats/document/characters.h"
 #include "formats/svg_import/paint.h"
 
 namespace pliant::svg {
 namespace {
-
-bool is_space(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\f'; }
-bool is_digit(char c) { return '0' <= c && c <= '9'; }
-bool is_letter(char c) { return ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z'); }
 
 /// Sine and cosine of an angle in degrees. They are exact at multiples of 90, so that a quarter turn keeps
 /// coordinates bit for bit.
@@ -61,7 +58,7 @@ Affine transform_of(std::string_view name, const std::vector<double>& v, const S
 }  // namespace
 
 void Scanner::skip_space() {
-  while (!at_end() && is_space(text_[next_])) ++next_;
+  while (!at_end() && is_white(text_[next_])) ++next_;
 }
 
 void Scanner::skip_comma() {

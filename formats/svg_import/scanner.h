@@ -19,6 +19,9 @@ class SyntaxError : public std::runtime_error {
   std::size_t offset_;
 };
 
+/// The white space of SVG and CSS.
+constexpr bool is_white(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\f'; }
+
 class Scanner {
  public:
   explicit Scanner(std::string_view text) : text_(text) {}

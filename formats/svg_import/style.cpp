@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "formats/svg_import/scanner.h"
 #include "pliant/boundary/fault.h"
 
 namespace pliant::svg {
@@ -63,20 +64,18 @@ std::optional<Property> property_named(std::string_view name) {
   return std::nullopt;
 }
 
-bool is_space(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\f'; }
-
 std::string_view trimmed(std::string_view s) {
-  while (!s.empty() && is_space(s.front())) s.remove_prefix(1);
-  while (!s.empty() && is_space(s.back())) s.remove_suffix(1);
+  while (!s.empty() && is_white(s.front())) s.remove_prefix(1);
+  while (!s.empty() && is_white(s.back())) s.remove_suffix(1);
   return s;
 }
 
 std::vector<std::string_view> words(std::string_view s) {
   std::vector<std::string_view> out;
   for (std::size_t i = 0; i < s.size();) {
-    while (i < s.size() && is_space(s[i])) ++i;
+    while (i < s.size() && is_white(s[i])) ++i;
     const std::size_t first = i;
-    while (i < s.size() && !is_space(s[i])) ++i;
+    while (i < s.size() && !is_white(s[i])) ++i;
     if (i > first) out.push_back(s.substr(first, i - first));
   }
   return out;

@@ -50,9 +50,9 @@ std::vector<TriangleId> triangles_beside(const MeshData& mesh) {
   return beside;
 }
 
-class Writer {
+class VtuWriter {
  public:
-  Writer(const MeshData& mesh, const VtuOptions& options)
+  VtuWriter(const MeshData& mesh, const VtuOptions& options)
       : mesh_(mesh), options_(options), points_(mesh), nodes_(mesh, points_, options.lagrange) {
     if (options.curves) beside_ = triangles_beside(mesh);
   }
@@ -229,7 +229,7 @@ class Writer {
 }  // namespace
 
 void write_vtu(const MeshData& mesh, const VtuOptions& options, const std::function<void(std::string_view)>& write) {
-  Writer(mesh, options).run(write);
+  VtuWriter(mesh, options).run(write);
 }
 
 }  // namespace pliant

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "formats/document/utf8.h"
+#include "formats/document/characters.h"
 
 namespace pliant {
 namespace {

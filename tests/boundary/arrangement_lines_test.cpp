@@ -5,6 +5,7 @@
 
 #include "pliant/boundary/arrangement.h"
 #include "pliant/boundary/check_boundary.h"
+#include "support/sample_boundaries.h"
 
 using namespace pliant;
 
@@ -17,12 +18,6 @@ BSpline polygon(std::vector<Point> points) {
 }
 BSpline square(double x, double y, double side) {
   return polygon({{x, y}, {x + side, y}, {x + side, y + side}, {x, y + side}});
-}
-BSpline bezier(std::vector<Point> points) {
-  std::vector<double> knots(points.size(), 0);
-  knots.insert(knots.end(), points.size(), 1);
-  const int degree = static_cast<int>(points.size()) - 1;
-  return BSpline(degree, false, std::move(knots), std::move(points));
 }
 double area_of(const BoundaryComplex& boundary, const std::string& name) {
   const int face = find_face(boundary, name);
@@ -42,7 +37,7 @@ Arrangement arranged(const PaintedLayers& layers) {
   CHECK(a.faults.empty());
   return a;
 }
-DrawnLine line(std::vector<Point> points, int above = 1) { return {"line", bezier(std::move(points)), above}; }
+DrawnLine line(std::vector<Point> points, int above = 1) { return {"line", samples::bezier(std::move(points)), above}; }
 
 }  // namespace
 

@@ -16,7 +16,7 @@ std::vector<Fault> sides(const BoundaryComplex& b) {
   return check_boundary_sides(b);
 }
 
-std::string first_text(const BoundaryComplex& b) {
+std::string first_side_text(const BoundaryComplex& b) {
   const auto faults = sides(b);
   return faults.empty() ? "" : faults.front().place + ": " + faults.front().text;
 }
@@ -50,7 +50,7 @@ TEST_CASE("the sample boundaries name the faces that lie beside their curves", "
   for (const BoundaryComplex& b :
        {one_cell(degree), biconcave_cell(degree), three_cells(degree), annulus(degree), interface(degree), square(),
         divided_square(), gear(), glyph(), crescent(0.3), crescent(1e-6), crescent(0)})
-    CHECK(first_text(b) == "");
+    CHECK(first_side_text(b) == "");
 }
 
 TEST_CASE("among circles in circles, the one that names wrong faces is reported", "[boundary][property]") {
@@ -59,7 +59,7 @@ TEST_CASE("among circles in circles, the one that names wrong faces is reported"
   std::mt19937 random(seed);
   BoundaryComplex b;
   nest(b, random, {0.3, -7}, 10, outside, 4);
-  CHECK(first_text(b) == "");
+  CHECK(first_side_text(b) == "");
 
   const std::size_t c = random() % b.curves.size();
   std::swap(b.curves[c].left, b.curves[c].right);
@@ -72,7 +72,7 @@ TEST_CASE("among circles in circles, the one that names wrong faces is reported"
 TEST_CASE("a face on the wrong side of its only curve is reported", "[boundary]") {
   BoundaryComplex b = one_cell(2);
   std::swap(b.curves[0].left, b.curves[0].right);
-  CHECK_THAT(first_text(b), Catch::Contains("/curves/0/") && Catch::Contains("exchange left and right"));
+  CHECK_THAT(first_side_text(b), Catch::Contains("/curves/0/") && Catch::Contains("exchange left and right"));
   b = annulus(2, 0.5);
   std::swap(b.curves[0].spline, b.curves[1].spline);
   CHECK(sides(b).size() == 1);
@@ -82,8 +82,9 @@ TEST_CASE("a hole that names its face on the inside is reported, though the area
           "[boundary]") {
   BoundaryComplex b = square();
   b.curves.push_back(closed_curve("hole", circle(2, {0.5, 0.5}, 0.2), 0, outside));
-  CHECK_THAT(first_text(b), Catch::Contains("curve 'hole' (4) at parameter") &&
-                                Catch::Contains("the outside on its right, but face 'square' lies there: exchange"));
+  CHECK_THAT(first_side_text(b),
+             Catch::Contains("curve 'hole' (4) at parameter") &&
+                 Catch::Contains("the outside on its right, but face 'square' lies there: exchange"));
 }
 
 TEST_CASE("a curve that names the wrong face around it is reported with the right one", "[boundary]") {
@@ -92,10 +93,11 @@ TEST_CASE("a curve that names the wrong face around it is reported with the righ
   b.faces.push_back({"two", {}});
   b.curves.push_back(closed_curve("one", circle(2, {0.25, 0.5}, 0.2), 1, 0));
   b.curves.push_back(closed_curve("two", circle(2, {0.75, 0.5}, 0.2), 2, 1));
-  CHECK_THAT(first_text(b), Catch::Contains("curve 'two' (5)") &&
-                                Catch::Contains("face 'one' on its right, but by all other curves face 'square'"));
+  CHECK_THAT(first_side_text(b), Catch::Contains("curve 'two' (5)") &&
+                                     Catch::Contains("face 'one' on its right, but by all other curves face 'square'"));
   b.curves[5].right = outside;
-  CHECK_THAT(first_text(b), Catch::Contains("names the outside on its right") && Catch::Contains("face 'square' lies"));
+  CHECK_THAT(first_side_text(b),
+             Catch::Contains("names the outside on its right") && Catch::Contains("face 'square' lies"));
 }
 
 TEST_CASE("a face on the wrong side of several curves is reported once", "[boundary]") {
@@ -114,9 +116,9 @@ TEST_CASE("a curve with one face on both sides is a slit of that face", "[bounda
   b.vertices.push_back({0.2, 0.3});
   b.vertices.push_back({0.7, 0.6});
   b.curves.push_back(open_curve(b, "slit", 4, 5, {{0.5, 0.2}}, 0, 0));
-  CHECK(first_text(b) == "");
+  CHECK(first_side_text(b) == "");
   b.curves.back().left = b.curves.back().right = 1;
-  CHECK_THAT(first_text(b), Catch::Contains("'slit'") && Catch::Contains("face 'square' lies there"));
+  CHECK_THAT(first_side_text(b), Catch::Contains("'slit'") && Catch::Contains("face 'square' lies there"));
 }
 
 TEST_CASE("sides are found in gaps of a billionth, far from the origin", "[boundary]") {
@@ -125,7 +127,7 @@ TEST_CASE("sides are found in gaps of a billionth, far from the origin", "[bound
   b.curves.push_back(closed_curve("ring", circle(2, {1e3, 1e3}, 1 + 1e-9, 16), outside, outside));
   b.curves.push_back(closed_curve("outer", circle(2, {1e3, 1e3}, 2, 16), 1, outside));
   b.curves[1].right = 1;
-  CHECK(first_text(b) == "");
+  CHECK(first_side_text(b) == "");
   std::swap(b.curves[1].left, b.curves[1].right);
-  CHECK_THAT(first_text(b), Catch::Contains("'ring'"));
+  CHECK_THAT(first_side_text(b), Catch::Contains("'ring'"));
 }

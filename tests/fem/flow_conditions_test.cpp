@@ -12,12 +12,11 @@ using namespace pliant::samples;
 
 namespace {
 
-using Kind = FlowCondition::Kind;
+using FlowKind = FlowCondition::Kind;
 
-Point as_it_is(double x, double y) { return {x, y}; }
-double zero(const Point&, double) { return 0; }
-
-FlowCondition condition(Kind kind, double x = 0, double y = 0) { return {kind, Coefficient(x), Coefficient(y), ""}; }
+FlowCondition condition(FlowKind kind, double x = 0, double y = 0) {
+  return {kind, Coefficient(x), Coefficient(y), ""};
+}
 
 /// Turns a curve round; its knots are whole numbers from 0.
 void reverse_curve(MeshData& data, std::size_t c) {
@@ -71,8 +70,8 @@ TEST_CASE("fluid glides along a wall of two curves, whichever way they run", "[n
   const auto profile = [](const Point& x, double) { return 1 - x.y * x.y; };
   set_velocity(problem, mesh, {"west"}, profile, zero);
   set_velocity(problem, mesh, {"north"}, zero, zero);
-  set_condition(problem, mesh, "south", condition(Kind::slip));
-  set_condition(problem, mesh, "east", condition(Kind::outflow));
+  set_condition(problem, mesh, "south", condition(FlowKind::slip));
+  set_condition(problem, mesh, "east", condition(FlowKind::outflow));
   NavierStokes flow(problem, mesh, {.by_splines = false});
   flow.solve_steady();
   CHECK(error_of(mesh, "velocity", 0, profile) < 1e-11);
@@ -87,7 +86,7 @@ TEST_CASE("a wall between two fluids leaves each its own pressure", "[navier_sto
   FlowProblem problem = flow_problem(mesh, 1, 1);
   problem.materials[1].viscosity = Coefficient(3);
   set_velocity(problem, mesh, {"south", "north", "east", "west"}, zero, zero);
-  set_condition(problem, mesh, "middle", condition(slip ? Kind::slip : Kind::velocity));
+  set_condition(problem, mesh, "middle", condition(slip ? FlowKind::slip : FlowKind::velocity));
   problem.motion_of_curve.assign(problem.motion_of_curve.size(), CurveMotion::stays);
   // A pull towards the wall from both sides, which pressures alone hold.
   problem.force[0] = coefficient([](const Point& x, double) { return x.x < 0.5 ? 1.0 : -2.0; });
@@ -106,8 +105,8 @@ TEST_CASE("forces on walls are those of the fluid on them alone, also beside wal
   FlowProblem problem = flow_problem(mesh, 2, 1);
   problem.gravity[1] = Coefficient(-10);
   set_velocity(problem, mesh, {"east", "west"}, zero, zero);
-  set_condition(problem, mesh, "south", condition(Kind::slip));
-  set_condition(problem, mesh, "north", condition(Kind::traction));
+  set_condition(problem, mesh, "south", condition(FlowKind::slip));
+  set_condition(problem, mesh, "north", condition(FlowKind::traction));
   NavierStokes flow(problem, mesh, {.by_splines = false});
   flow.solve_steady();
   CHECK(error_of(mesh, "pressure", 0, [](const Point& x, double) { return 20 * (1 - x.y); }) < 1e-9);
@@ -153,9 +152,9 @@ TEST_CASE("a flow is the same in any unit", "[navier_stokes]") {
     problem.tensions[index(curve_named(mesh, "middle"))] = Coefficient(0.3 * u * u * u);
     set_velocity(
         problem, mesh, {"west"}, [u](const Point& x, double) { return x.y * (u - x.y) / u; }, zero);
-    set_condition(problem, mesh, "south", condition(Kind::slip));
-    set_condition(problem, mesh, "north", condition(Kind::traction, 0.1 * u * u, -0.2 * u * u));
-    set_condition(problem, mesh, "east", condition(Kind::outflow));
+    set_condition(problem, mesh, "south", condition(FlowKind::slip));
+    set_condition(problem, mesh, "north", condition(FlowKind::traction, 0.1 * u * u, -0.2 * u * u));
+    set_condition(problem, mesh, "east", condition(FlowKind::outflow));
     NavierStokes flow(problem, mesh, {});
     flow.initialise();
     std::optional<double> last;
@@ -187,7 +186,7 @@ TEST_CASE("flows that nothing holds are refused with a word", "[navier_stokes]")
   Mesh mesh(mapped_square(2, 3, as_it_is));
   FlowProblem problem = flow_problem(mesh, 0, 1);
   for (const std::string side : {"south", "east", "north", "west"})
-    set_condition(problem, mesh, side, condition(Kind::traction));
+    set_condition(problem, mesh, side, condition(FlowKind::traction));
   problem.force = {Coefficient(1), Coefficient(0)};
   NavierStokes flow(problem, mesh, {.by_splines = false});
   CHECK_THROWS_AS(flow.solve_steady(), NoSolution);

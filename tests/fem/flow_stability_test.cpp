@@ -16,7 +16,7 @@ using namespace pliant::samples;
 
 namespace {
 
-using Kind = FlowCondition::Kind;
+using FlowKind = FlowCondition::Kind;
 
 /// The integrals of products of pressures.
 Eigen::MatrixXd pressure_mass(const FlowEquation& equation) {

@@ -24,7 +24,7 @@ int expected(int n, int q, bool jumps) {
   return vertices + (q - 1) * edges + interior_size(q) * 2 * n * n;
 }
 
-std::vector<double> random_values(int count, unsigned seed) {
+std::vector<double> random_controls(int count, unsigned seed) {
   std::mt19937_64 random(seed);
   std::vector<double> values(index(count));
   for (double& each : values) each = std::uniform_real_distribution(-1.0, 1.0)(random);
@@ -54,7 +54,7 @@ TEST_CASE("a function of lower degree is continuous within faces, and comes back
   Mesh mesh(mapped_square(p, 4, bend, true));
   const std::vector<char> everywhere(mesh.boundary().curves.size(), 1);
   const Space space = Space::by_face(mesh, q, everywhere);
-  const std::vector<double> unknowns = random_values(space.size(), 7);
+  const std::vector<double> unknowns = random_controls(space.size(), 7);
   const std::vector<double> values = elevated_values(space, unknowns, p);
   const std::vector<double> back = restricted_unknowns(space, values, p);
   for (std::size_t i = 0; i < back.size(); ++i) CHECK(back[i] == Approx(unknowns[i]).margin(1e-12));
@@ -84,7 +84,7 @@ TEST_CASE("fields become unknowns and unknowns fields, by face too", "[fem]") {
   mesh.set_field(field);
   const std::vector<char> everywhere(mesh.boundary().curves.size(), 1);
   const Space space = by_face ? Space::by_face(mesh, p, everywhere) : Space::continuous(mesh);
-  const std::vector<double> unknowns = random_values(space.size(), 3);
+  const std::vector<double> unknowns = random_controls(space.size(), 3);
   mesh.set_field(with_unknowns(mesh, 0, space, unknowns));
   CHECK(unknowns_of(space, element_values(mesh, 0, 0)) == unknowns);
   CHECK(element_values(mesh, 0, 0) == element_values(space, unknowns));

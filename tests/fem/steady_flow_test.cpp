@@ -11,10 +11,6 @@ using namespace pliant::samples;
 
 namespace {
 
-const std::vector<std::string> sides{"south", "east", "north", "west"};
-double zero(const Point&, double) { return 0; }
-Point as_it_is(double x, double y) { return {x, y}; }
-
 constexpr double reynolds = 20;
 const double lambda = reynolds / 2 - std::sqrt(reynolds * reynolds / 4 + 4 * std::numbers::pi * std::numbers::pi);
 

@@ -13,8 +13,6 @@ using Kind = DiffusionCondition::Kind;
 
 namespace {
 
-const char* const sides[] = {"south", "east", "north", "west"};
-
 /// Moves the mesh, if there is a velocity, and takes the field along.
 void step(Diffusion& diffusion, Mesh& mesh, const VelocityField& velocity, double dt) {
   const double before = mesh.time;
@@ -67,7 +65,8 @@ TEST_CASE("steps have their order in time, at rest and on a mesh that moves", "[
       return wave_source(x, y, t, moves ? turn({x, y}, t) : Vector{});
     });
     problem.initial[0] = coefficient(wave.value);
-    for (const char* side : sides) add_condition(problem, mesh.boundary(), side, Kind::value, coefficient(wave.value));
+    for (const char* side : square_sides)
+      add_condition(problem, mesh.boundary(), side, Kind::value, coefficient(wave.value));
     DiffusionOptions options;
     options.scheme = scheme;
     options.conservative = conservative;

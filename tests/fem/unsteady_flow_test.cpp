@@ -15,8 +15,6 @@ using std::numbers::pi;
 
 namespace {
 
-const std::vector<std::string> sides{"south", "east", "north", "west"};
-
 /// Vortices of Taylor and Green, whose convection is a gradient, with an amplitude that a force makes oscillate.
 constexpr double viscosity = 0.05, frequency = 20, amplitude = 0.5;
 double strength(double t) { return amplitude * std::cos(frequency * t); }

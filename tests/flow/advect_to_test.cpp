@@ -16,7 +16,7 @@ using Status = AdvectOutcome::Status;
 
 const VelocityField to_the_right = [](const Point&, double) { return Vector{1, 0}; };
 
-AdvectOptions step_of(double dt) {
+AdvectOptions with_step(double dt) {
   AdvectOptions options;
   options.dt = dt;
   return options;
@@ -37,7 +37,7 @@ TEST_CASE("a loop of steps of any length ends at the time exactly, with no step 
   Mesh mesh(samples::disk(2));
   int taken = 0;
   while (mesh.time < until && taken < 200) {
-    const AdvectOutcome outcome = advect_to(mesh, to_the_right, step_of(dt), until);
+    const AdvectOutcome outcome = advect_to(mesh, to_the_right, with_step(dt), until);
     REQUIRE(outcome.status == Status::done);
     CHECK(value_of(outcome.report, "time") == mesh.time);
     ++taken;
@@ -45,7 +45,7 @@ TEST_CASE("a loop of steps of any length ends at the time exactly, with no step 
   CHECK(mesh.time == until);
   CHECK(taken == steps);
   const MeshData before = mesh.to_data();
-  const AdvectOutcome late = advect_to(mesh, to_the_right, step_of(dt), until);
+  const AdvectOutcome late = advect_to(mesh, to_the_right, with_step(dt), until);
   CHECK(late.status == Status::late);
   CHECK(value_of(late.report, "dt") == 0);
   CHECK(value_of(late.report, "time") == until);
@@ -56,7 +56,7 @@ TEST_CASE("the last step is as long as what is left", "[flow]") {
   Mesh mesh(samples::disk(2));
   mesh.time = 0.75;
   const Point before = mesh.point(0);
-  const AdvectOutcome outcome = advect_to(mesh, to_the_right, step_of(10), 1);
+  const AdvectOutcome outcome = advect_to(mesh, to_the_right, with_step(10), 1);
   CHECK(outcome.status == Status::done);
   CHECK(outcome.dt == 0.25);
   CHECK(outcome.asked_dt == 0.25);
@@ -66,7 +66,7 @@ TEST_CASE("the last step is as long as what is left", "[flow]") {
 TEST_CASE("without a time to end at, steps of a round length keep the time round", "[flow]") {
   Mesh mesh(samples::disk(2));
   for (int k = 1; k <= 30; ++k) {
-    advect_to(mesh, to_the_right, step_of(0.1));
+    advect_to(mesh, to_the_right, with_step(0.1));
     CHECK(mesh.time == k / 10.0);
   }
 }
@@ -74,7 +74,7 @@ TEST_CASE("without a time to end at, steps of a round length keep the time round
 TEST_CASE("a limited step stays where it is proved safe, not at the time", "[flow]") {
   Mesh mesh(samples::disk(2));
   const VelocityField shear = [](const Point& p, double) { return Vector{8 * std::sin(6 * p.y), 0}; };
-  AdvectOptions options = step_of(1);
+  AdvectOptions options = with_step(1);
   CHECK(advect_to(mesh, shear, options, 1).status == Status::unsafe);
   CHECK(mesh.time == 0);
   options.policy = StepPolicy::limit;
@@ -90,10 +90,10 @@ TEST_CASE("a step that the time has no digits for is refused before the mesh mov
   Mesh mesh(samples::disk(2));
   mesh.time = 1e17;
   const MeshData before = mesh.to_data();
-  CHECK(advect_to(mesh, to_the_right, step_of(1)).status == Status::no_progress);
+  CHECK(advect_to(mesh, to_the_right, with_step(1)).status == Status::no_progress);
   CHECK(mesh.to_data().points == before.points);
   CHECK(mesh.time == 1e17);
-  CHECK(advect_to(mesh, to_the_right, step_of(100)).status == Status::done);
+  CHECK(advect_to(mesh, to_the_right, with_step(100)).status == Status::done);
 }
 
 TEST_CASE("a step that is limited below the digits of the time is refused before the mesh moves", "[flow]") {
@@ -101,7 +101,7 @@ TEST_CASE("a step that is limited below the digits of the time is refused before
   mesh.time = 0x1p53;
   const MeshData before = mesh.to_data();
   const VelocityField shear = [](const Point& p, double) { return Vector{8 * std::sin(6 * p.y), 0}; };
-  AdvectOptions options = step_of(2);
+  AdvectOptions options = with_step(2);
   options.policy = StepPolicy::limit;
   CHECK(advect_to(mesh, shear, options).status == Status::no_progress);
   CHECK(mesh.to_data().points == before.points);
@@ -119,8 +119,8 @@ TEST_CASE("velocities are those of the document, whatever unit the mesh is in", 
   REQUIRE(data.boundary.unit != 1);
   Mesh large((MeshData(data))), small(samples::disk(2));
   const VelocityField turn = [](const Point& p, double) { return Vector{-p.y, p.x}; };
-  advect_to(large, turn, step_of(0.1));
-  advect_to(small, turn, step_of(0.1));
+  advect_to(large, turn, with_step(0.1));
+  advect_to(small, turn, with_step(0.1));
   for (PointId p = 0; p < small.point_slots(); ++p)
     CHECK(large.boundary().unit * large.point(p) == factor * small.point(p));
 }

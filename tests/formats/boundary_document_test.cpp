@@ -28,7 +28,7 @@ const std::string& document() {
   return text;
 }
 
-std::string fault_place(const std::string& text) {
+std::string boundary_fault_place(const std::string& text) {
   return samples::fault_place([&] { read_boundary(text); });
 }
 
@@ -100,7 +100,7 @@ TEST_CASE("each fault of a boundary document is named by its place", "[formats]"
   };
   for (const Case& c : cases) {
     CAPTURE(c.from, c.to);
-    CHECK(fault_place(edited(document(), c.from, c.to)) == c.place);
+    CHECK(boundary_fault_place(edited(document(), c.from, c.to)) == c.place);
   }
 }
 

@@ -12,7 +12,7 @@ using samples::check_none, samples::Outcomes;
 
 namespace {
 
-std::string svg(const std::string& content) {
+std::string in_svg(const std::string& content) {
   return "<svg xmlns='http://www.w3.org/2000/svg'>\n" + content + "</svg>";
 }
 
@@ -25,7 +25,7 @@ std::string complaint(const std::string& document) {
   }
   return "none";
 }
-std::string of_path(const std::string& d) { return complaint(svg("<g><path id='a' d='" + d + "'/></g>")); }
+std::string of_path(const std::string& d) { return complaint(in_svg("<g><path id='a' d='" + d + "'/></g>")); }
 
 }  // namespace
 
@@ -53,15 +53,16 @@ TEST_CASE("a fault of path data is refused with the element's place, the offset 
 }
 
 TEST_CASE("faults of other attributes name the attribute", "[svg]") {
-  CHECK_THAT(complaint(svg("<rect width='5' height='-5'/>")), Catch::Contains("height is negative: '-5'"));
-  CHECK_THAT(complaint(svg("<rect width='5' height='5 px'/>")), Catch::Contains("expected one of the units"));
-  CHECK_THAT(complaint(svg("<rect width='5lh' height='5'/>")), Catch::Contains("width, offset 1: expected one of the"));
-  CHECK_THAT(complaint(svg("<rect width='5%' height='5'/>")), Catch::Contains("neither a viewBox nor"));
-  CHECK_THAT(complaint(svg("<circle r='x'/>")), Catch::Contains("r, offset 0: expected a length, found 'x'"));
-  CHECK_THAT(complaint(svg("<polygon points='1 2 3'/>")), Catch::Contains("points, offset 5: expected a second"));
-  CHECK_THAT(complaint(svg("<g transform='rotate(1 2)'/>")), Catch::Contains("expected 1 or 3 numbers of rotate"));
-  CHECK_THAT(complaint(svg("<g transform='spin(1)'/>")), Catch::Contains("expected a transform of spin"));
-  CHECK_THAT(complaint(svg("<g transform='scale(1'/>")), Catch::Contains("expected a number or )"));
+  CHECK_THAT(complaint(in_svg("<rect width='5' height='-5'/>")), Catch::Contains("height is negative: '-5'"));
+  CHECK_THAT(complaint(in_svg("<rect width='5' height='5 px'/>")), Catch::Contains("expected one of the units"));
+  CHECK_THAT(complaint(in_svg("<rect width='5lh' height='5'/>")),
+             Catch::Contains("width, offset 1: expected one of the"));
+  CHECK_THAT(complaint(in_svg("<rect width='5%' height='5'/>")), Catch::Contains("neither a viewBox nor"));
+  CHECK_THAT(complaint(in_svg("<circle r='x'/>")), Catch::Contains("r, offset 0: expected a length, found 'x'"));
+  CHECK_THAT(complaint(in_svg("<polygon points='1 2 3'/>")), Catch::Contains("points, offset 5: expected a second"));
+  CHECK_THAT(complaint(in_svg("<g transform='rotate(1 2)'/>")), Catch::Contains("expected 1 or 3 numbers of rotate"));
+  CHECK_THAT(complaint(in_svg("<g transform='spin(1)'/>")), Catch::Contains("expected a transform of spin"));
+  CHECK_THAT(complaint(in_svg("<g transform='scale(1'/>")), Catch::Contains("expected a number or )"));
   CHECK_THAT(complaint("<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 5'/>"),
              Catch::Contains("viewBox, offset"));
   CHECK_THAT(complaint("<svg width='abc'/>"), Catch::Contains("svg: width, offset 0: expected a length, found 'abc'"));
@@ -70,7 +71,7 @@ TEST_CASE("faults of other attributes name the attribute", "[svg]") {
       Catch::Contains("its width and height are parts of the drawing's, which has neither a viewBox nor a size"));
   CHECK_THAT(complaint("<svg><rect width='1' height='1' transform='scale(2)' transform-origin='50% 3'/></svg>"),
              Catch::Contains("transform-origin, offset 0: it is a part of the drawing's size, but the drawing has"));
-  CHECK_THAT(complaint(svg("<path d='M0 0h1e99v1e99z' transform='scale(1e9)'/>")), Catch::Contains("beyond 1e60"));
+  CHECK_THAT(complaint(in_svg("<path d='M0 0h1e99v1e99z' transform='scale(1e9)'/>")), Catch::Contains("beyond 1e60"));
 }
 
 TEST_CASE("what is no SVG is refused with line and column", "[svg]") {
@@ -81,8 +82,8 @@ TEST_CASE("what is no SVG is refused with line and column", "[svg]") {
   CHECK_THAT(complaint("<svg><rect></svg>"),
              Catch::StartsWith("line 1, column 14: no well-formed XML: mismatched tag"));
   CHECK_THAT(complaint("<svg><x:rect/></svg>"), Catch::Contains("unbound prefix"));
-  CHECK_THAT(complaint(svg("")), Catch::StartsWith("nothing is filled"));
-  CHECK_THAT(complaint(svg("<path d='M0 0L5 5z'/><path fill='none' d='M0 0h1v1z'/>")),
+  CHECK_THAT(complaint(in_svg("")), Catch::StartsWith("nothing is filled"));
+  CHECK_THAT(complaint(in_svg("<path d='M0 0L5 5z'/><path fill='none' d='M0 0h1v1z'/>")),
              Catch::StartsWith("nothing is filled: 1 filled shape without an interior, 1 without a fill"));
 }
 
@@ -108,8 +109,8 @@ TEST_CASE("entity bombs, external entities and absurd nesting are refused", "[sv
 }
 
 TEST_CASE("use that contains itself, or multiplies without end, is refused", "[svg]") {
-  CHECK_THAT(complaint(svg("<g id='a'><use href='#a'/></g>")), Catch::Contains("it shows '#a', which contains it"));
-  CHECK_THAT(complaint(svg("<g id='a'><use href='#b'/></g><g id='b'><use href='#a'/></g>")),
+  CHECK_THAT(complaint(in_svg("<g id='a'><use href='#a'/></g>")), Catch::Contains("it shows '#a', which contains it"));
+  CHECK_THAT(complaint(in_svg("<g id='a'><use href='#b'/></g><g id='b'><use href='#a'/></g>")),
              Catch::Contains("which contains it"));
   CHECK_THAT(complaint("<svg id='s'><use href='#s'/></svg>"), Catch::Contains("which contains it"));
   std::string bomb = "<defs><path id='u0' d='M0 0h1v1z'/>";
@@ -118,45 +119,46 @@ TEST_CASE("use that contains itself, or multiplies without end, is refused", "[s
     for (int i = 0; i < 10; ++i) bomb += "<use href='#u" + std::to_string(k - 1) + "'/>";
     bomb += "</g>";
   }
-  CHECK_THAT(complaint(svg(bomb + "</defs><use href='#u11'/>")), Catch::Contains("more than 1000000 elements"));
+  CHECK_THAT(complaint(in_svg(bomb + "</defs><use href='#u11'/>")), Catch::Contains("more than 1000000 elements"));
   std::string chain;
   for (int k = 0; k < 1000; ++k)
     chain += "<use id='u" + std::to_string(k) + "' href='#u" + std::to_string(k + 1) + "'/>";
-  CHECK_THAT(complaint(svg(chain + "<rect id='u1000' width='1' height='1'/>")), Catch::Contains("nested deeper than"));
+  CHECK_THAT(complaint(in_svg(chain + "<rect id='u1000' width='1' height='1'/>")),
+             Catch::Contains("nested deeper than"));
   chain.clear();
   for (int k = 0; k < 1000; ++k)
     chain += "<symbol id='s" + std::to_string(k) + "'><use href='#s" + std::to_string(k + 1) + "'/></symbol>";
-  CHECK_THAT(complaint(svg(chain + "<symbol id='s1000'/><use href='#s0'/>")), Catch::Contains("nested"));
+  CHECK_THAT(complaint(in_svg(chain + "<symbol id='s1000'/><use href='#s0'/>")), Catch::Contains("nested"));
 }
 
 TEST_CASE("shapes that cross, touch or lie over each other are refused with both names and the place", "[svg]") {
   const std::string a = "<rect id='a' width='4' height='4'/>\n";
-  std::string text = complaint(svg(a + "<rect id='b' x='3' y='1' width='4' height='2'/>"));
+  std::string text = complaint(in_svg(a + "<rect id='b' x='3' y='1' width='4' height='2'/>"));
   CHECK_THAT(text, Catch::StartsWith("shapes cross, touch or lie over each other; import-svg --planar"));
   CHECK_THAT(text, Catch::Contains("'a, line 2'") && Catch::Contains("'b, line 3'") && Catch::Contains("at (4, -"));
-  text = complaint(svg(a + "<circle id='b' cx='2' cy='2' r='1'/>"));
+  text = complaint(in_svg(a + "<circle id='b' cx='2' cy='2' r='1'/>"));
   CHECK_THAT(text, Catch::Contains("'b' (line 3) lies over 'a' (line 2), at (2, -3)"));
-  CHECK_THAT(complaint(svg(a + "<rect id='b' x='4' width='4' height='4'/>")),
+  CHECK_THAT(complaint(in_svg(a + "<rect id='b' x='4' width='4' height='4'/>")),
              Catch::Contains("--planar makes disjoint"));
-  CHECK_THAT(complaint(svg(a + a)), Catch::Contains("--planar makes disjoint"));
+  CHECK_THAT(complaint(in_svg(a + a)), Catch::Contains("--planar makes disjoint"));
   CHECK_THAT(of_path("M0 0L4 4L4 0L0 4z"), Catch::Contains("'a, line 2' (0) at parameter 2.828") &&
                                                Catch::Contains("at parameter 12.48") && !Catch::Contains("enclose"));
 }
 
 TEST_CASE("curves at the limits of what is read end in a boundary or a refusal, soon", "[svg]") {
   const auto curves = [](const std::string& s) {
-    return svg("<path d='M0 0C3" + s + " 8" + s + " -2" + s + " 9" + s + " 6" + s + " 7" + s + "Q9" + s + " 0 4" + s +
-               " 0A1" + s + " 2" + s + " 30 1 1 2" + s + " -1" + s + "z'/>");
+    return in_svg("<path d='M0 0C3" + s + " 8" + s + " -2" + s + " 9" + s + " 6" + s + " 7" + s + "Q9" + s + " 0 4" +
+                  s + " 0A1" + s + " 2" + s + " 30 1 1 2" + s + " -1" + s + "z'/>");
   };
   for (const char* scale : {"", "e50", "e-50", "e58", "e-58"}) CHECK(complaint(curves(scale)) == "none");
   CHECK_THAT(complaint(curves("e99")), Catch::Contains("beyond 1e60"));
   CHECK_THAT(complaint(curves("e-99")), Catch::Contains("is smaller than 1e-60"));
   CHECK_THAT(complaint(curves("e-300")), Catch::Contains("is smaller than 1e-60"));
-  CHECK(complaint(svg("<path d='M0 0h9v9zM1e-200 -1C1e-200 -2 2e-200 -1 2e-200 -2z'/>")) == "none");
+  CHECK(complaint(in_svg("<path d='M0 0h9v9zM1e-200 -1C1e-200 -2 2e-200 -1 2e-200 -2z'/>")) == "none");
   // A tiny chord of a huge circle, and a huge chord of a tiny one.
-  CHECK(complaint(svg("<path d='M0 0A1e50 1e50 0 0 1 9 0V9H0z'/>")) == "none");
-  CHECK(complaint(svg("<path d='M0 0A1e-50 1e-50 0 0 1 9 0V9H0z'/>")) == "none");
-  CHECK(complaint(svg("<path d='M0 0A5 5 0 1 1 1e-9 0z'/>")) == "none");
+  CHECK(complaint(in_svg("<path d='M0 0A1e50 1e50 0 0 1 9 0V9H0z'/>")) == "none");
+  CHECK(complaint(in_svg("<path d='M0 0A1e-50 1e-50 0 0 1 9 0V9H0z'/>")) == "none");
+  CHECK(complaint(in_svg("<path d='M0 0A5 5 0 1 1 1e-9 0z'/>")) == "none");
 }
 
 TEST_CASE("ten megabytes of path data take a second or two", "[svg]") {
@@ -167,7 +169,7 @@ TEST_CASE("ten megabytes of path data take a second or two", "[svg]") {
   CHECK_THAT(of_path(d + "v9H0z"), Catch::Contains("more than 2000000 segments"));
   std::string smaller = "M0 0";
   for (long i = 0; i < 100'000; ++i) smaller += "v-5h1v5h1";
-  CHECK(read_svg(svg("<path d='" + smaller + "v9H0z'/>")).boundary.curves.at(0).spline.points().size() == 400'003);
+  CHECK(read_svg(in_svg("<path d='" + smaller + "v9H0z'/>")).boundary.curves.at(0).spline.points().size() == 400'003);
   const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
   CHECK(passed.count() < 60);  // 1.3 s as released, and a sanitizer's share
 }

@@ -8,7 +8,7 @@ using namespace pliant;
 
 namespace {
 
-std::string svg(const std::string& content, const std::string& attributes = "") {
+std::string scene(const std::string& content, const std::string& attributes = "") {
   return "<svg xmlns='http://www.w3.org/2000/svg' xmlns:xlink='http://www.w3.org/1999/xlink' " + attributes + ">\n" +
          content + "</svg>";
 }
@@ -16,13 +16,13 @@ std::string svg(const std::string& content, const std::string& attributes = "") 
 /// Names of the faces, joined.
 std::string faces(const std::string& content, const std::string& attributes = "") {
   std::string out;
-  for (const Face& face : read_svg(svg(content, attributes)).boundary.faces)
+  for (const Face& face : read_svg(scene(content, attributes)).boundary.faces)
     out += (out.empty() ? "" : ", ") + face.name;
   return out;
 }
 
 Box box_of(const std::string& content, const std::string& attributes = "") {
-  return bounding_box(read_svg(svg(content, attributes)).boundary);
+  return bounding_box(read_svg(scene(content, attributes)).boundary);
 }
 bool is_box(const Box& box, double x0, double y0, double x1, double y1) {
   const auto near = [](double a, double b) { return a == Approx(b).margin(1e-12); };
@@ -36,9 +36,9 @@ std::string square(int at, const std::string& attributes) {
   return "<rect x='" + std::to_string(2 * at) + "' width='1' height='1' " + attributes + "/>";
 }
 
-std::string warnings(const std::string& content) {
+std::string scene_warnings(const std::string& content) {
   std::string out;
-  for (const std::string& text : read_svg(svg(content)).warnings) out += text + "\n";
+  for (const std::string& text : read_svg(scene(content)).warnings) out += text + "\n";
   return out;
 }
 
@@ -51,7 +51,7 @@ TEST_CASE("faces are named by id, or by kind and number, and no two alike", "[sv
 }
 
 TEST_CASE("what has no fill or is not shown is left out and counted", "[svg]") {
-  const SvgImport import = read_svg(svg(
+  const SvgImport import = read_svg(scene(
       square(0, "id='in'") + square(1, "fill='none'") + square(2, "style='fill:none'") + square(3, "fill-opacity='0'") +
       square(4, "display='none'") + square(5, "visibility='hidden'") + "<g style='display:none'>" + square(6, "") +
       square(7, "") + "</g><g opacity='0'>" + square(8, "") + "</g><defs>" + square(9, "") + "</defs>" +
@@ -83,7 +83,7 @@ TEST_CASE("style sheets select by element, class and id, the more specific ones 
 }
 
 TEST_CASE("what a style sheet has beyond simple selectors is named in a warning", "[svg]") {
-  const std::string text = warnings(
+  const std::string text = scene_warnings(
       "<style>g rect{fill:none} rect:hover{fill:none} @media print{rect{fill:none}} "
       "@import 'x.css'; circle{fill:none}</style>" +
       square(0, "id='a'"));
@@ -93,13 +93,13 @@ TEST_CASE("what a style sheet has beyond simple selectors is named in a warning"
 }
 
 TEST_CASE("each kind of thing that is not read is named in one warning", "[svg]") {
-  const std::string text =
-      warnings("<defs><linearGradient id='g'/><pattern id='p'/><clipPath id='c'/></defs><g clip-path='url(#c)'>" +
-               square(0, "fill='url(#g)' stroke='red'") + square(1, "stroke='blue'") +
-               "<line x2='1' stroke='red'/></g>" + square(2, "fill='url(#p)'") + square(3, "fill='url(#nowhere) red'") +
-               square(4, "mask='url(#m)' filter='url(#f)'") + square(5, "style='transform:rotate(3deg)'") +
-               "<text>a</text><text>b</text><image/><use/><use href='other.svg#x'/><use href='#nowhere'/>" +
-               "<animate/><flowRoot/><script/><foreignObject/>" + square(6, "fill='url(#nowhere)'"));
+  const std::string text = scene_warnings(
+      "<defs><linearGradient id='g'/><pattern id='p'/><clipPath id='c'/></defs><g clip-path='url(#c)'>" +
+      square(0, "fill='url(#g)' stroke='red'") + square(1, "stroke='blue'") + "<line x2='1' stroke='red'/></g>" +
+      square(2, "fill='url(#p)'") + square(3, "fill='url(#nowhere) red'") +
+      square(4, "mask='url(#m)' filter='url(#f)'") + square(5, "style='transform:rotate(3deg)'") +
+      "<text>a</text><text>b</text><image/><use/><use href='other.svg#x'/><use href='#nowhere'/>" +
+      "<animate/><flowRoot/><script/><foreignObject/>" + square(6, "fill='url(#nowhere)'"));
   for (const char* expected :
        {"strokes are not read (3 times, first at line 2)", "a gradient is taken for a colour (line 2)",
         "a pattern is taken for a colour", "clip paths do not cut anything off", "masks do not hide anything",

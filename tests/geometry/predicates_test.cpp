@@ -30,9 +30,9 @@ int rational_circle(const Point& a, const Point& b, const Point& c, const Point&
   return det.sign();
 }
 
-class Random {
+class RandomPoints {
  public:
-  explicit Random(unsigned seed) : engine_(seed) {}
+  explicit RandomPoints(unsigned seed) : engine_(seed) {}
   double unit() { return std::uniform_real_distribution<double>(-1, 1)(engine_); }
   int below(int n) { return static_cast<int>(engine_() % static_cast<unsigned>(n)); }
   Point point(double scale = 1) { return {scale * unit(), scale * unit()}; }
@@ -49,7 +49,7 @@ class Random {
 }  // namespace
 
 TEST_CASE("orientation agrees with rational arithmetic, also for points nearly on a line", "[geometry][property]") {
-  Random random(1);
+  RandomPoints random(1);
   for (int i = 0; i < 3000; ++i) {
     const double shift = i % 2 ? 0 : 1e6;
     const Point a = random.point() + Point{shift, 0}, b = random.point() + Point{shift, shift};
@@ -62,7 +62,7 @@ TEST_CASE("orientation agrees with rational arithmetic, also for points nearly o
 }
 
 TEST_CASE("in-circle agrees with rational arithmetic, also for points nearly on a circle", "[geometry][property]") {
-  Random random(2);
+  RandomPoints random(2);
   for (int i = 0; i < 1500; ++i) {
     const Point centre = random.point(i % 3 ? 1 : 1e4);
     std::array<Point, 4> p;
@@ -86,7 +86,7 @@ TEST_CASE("four corners of a rectangle are on one circle, exactly", "[geometry]"
 }
 
 TEST_CASE("in-circle is exact on grids, and for points slightly off a grid", "[geometry][property]") {
-  Random random(4);
+  RandomPoints random(4);
   constexpr std::array spacings{1.0, 0.1, 1e-3, 1.0 / 3, 1e200, 1e-150, 12345.678};
   for (int i = 0; i < 20000; ++i) {
     const double h = spacings[static_cast<std::size_t>(random.below(7))];
@@ -106,7 +106,7 @@ TEST_CASE("in-circle is exact on grids, and for points slightly off a grid", "[g
 }
 
 TEST_CASE("predicates neither underflow nor overflow", "[geometry][property]") {
-  Random random(3);
+  RandomPoints random(3);
   constexpr std::array scales{1e300, 1e-300, 5e-324, 1e-310, 1e160, 1e-160, 1.7e308, 1e77, 1.0};
   for (int i = 0; i < 1200; ++i) {
     std::array<Point, 4> p;

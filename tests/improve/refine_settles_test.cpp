@@ -22,7 +22,7 @@ int seed_count() {
 }
 
 /// Random goals: a least angle from 15 to 33 degrees, and perhaps bounds on area, size and turning.
-QualityGoals random_goals(const Mesh& mesh, std::mt19937_64& random) {
+QualityGoals random_refine_goals(const Mesh& mesh, std::mt19937_64& random) {
   std::uniform_real_distribution<double> uniform(0, 1);
   QualityGoals goals;
   goals.min_angle = 15 + 18 * uniform(random);
@@ -49,7 +49,7 @@ TEST_CASE("refining a refined mesh does nothing, and every element left has a re
       RandomOperations(mesh, static_cast<std::uint64_t>(seed)).run(20);
       mesh.compact();
       RefineOptions options;
-      options.goals = random_goals(mesh, random);
+      options.goals = random_refine_goals(mesh, random);
       CAPTURE(options.goals->min_angle, options.goals->max_area);
       const PassReport first = refine(mesh, options);
       const std::string text = text_of(mesh);
@@ -107,7 +107,7 @@ TEST_CASE("no refined mesh has fewer triangles than least_triangles says", "[imp
     for (int k = 0; k < 5; ++k) {
       Mesh mesh = mesh_of(sample.boundary, degree);
       RefineOptions options;
-      options.goals = random_goals(mesh, random);
+      options.goals = random_refine_goals(mesh, random);
       const double least = least_triangles(mesh, *options.goals).triangles;
       CAPTURE(k, least);
       const PassReport report = refine(mesh, options);

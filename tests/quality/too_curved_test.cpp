@@ -18,7 +18,7 @@ namespace {
 
 using Net = std::vector<Point>;
 
-Net random_net(int degree, double noise, std::mt19937_64& random) {
+Net random_noisy_net(int degree, double noise, std::mt19937_64& random) {
   std::uniform_real_distribution<double> uniform(-1, 1);
   const Point a{0, 0}, b{1, 0.2 * uniform(random)}, c{uniform(random), 0.6 + 0.5 * uniform(random)};
   const NetLayout& layout = NetLayout::of(degree);
@@ -40,7 +40,7 @@ TEST_CASE("an element is fine if and only if its excess is at most one, also whe
   std::uniform_real_distribution<double> uniform(0, 1);
   int fine = 0, curved = 0;
   for (int trial = 0; trial < 4000; ++trial) {
-    Net net = random_net(degree, 0.6 * uniform(random), random);
+    Net net = random_noisy_net(degree, 0.6 * uniform(random), random);
     const double unit = std::ldexp(1, static_cast<int>(random() % 5) * 300 - 600);
     for (Point& p : net) p *= unit;
     const CurvatureBounds bounds{1 + 0.5 * uniform(random), 1.05 + uniform(random), 0.9 * uniform(random),
@@ -60,7 +60,7 @@ TEST_CASE("the turning of fixed edges does not count, everything else does", "[q
   std::mt19937_64 random(static_cast<std::uint64_t>(20 + degree));
   int differ = 0;
   for (int trial = 0; trial < 1000; ++trial) {
-    const Net net = random_net(degree, 0.4, random);
+    const Net net = random_noisy_net(degree, 0.4, random);
     CurvatureBounds tight, loose;
     tight.max_turning = 0.2;
     loose.max_turning = 1e6;
@@ -82,7 +82,7 @@ TEST_CASE("the excess is the worst measure over its bound, and a tangled element
   std::mt19937_64 random(static_cast<std::uint64_t>(10 + degree));
   int tangled = 0;
   for (int trial = 0; trial < 1000; ++trial) {
-    const Net net = random_net(degree, 0.7, random);
+    const Net net = random_noisy_net(degree, 0.7, random);
     const CurvatureBounds bounds;
     const double excess = curvature_excess(degree, net, bounds);
     CAPTURE(degree, trial, excess);

@@ -13,7 +13,7 @@ using Catch::Matchers::Contains;
 
 namespace {
 
-using Kind = DiffusionCondition::Kind;
+using ConditionKind = DiffusionCondition::Kind;
 
 /// All of `words` are in the message.
 void check_refused(const Mesh& mesh, const std::string& members, const std::string& pointer,
@@ -51,10 +51,10 @@ TEST_CASE("materials, conditions and initial values stand on the faces and curve
     CHECK_FALSE(problem.materials[face].source);
   }
   REQUIRE(problem.conditions.size() == 3);
-  CHECK(problem.conditions[0].kind == Kind::robin);
+  CHECK(problem.conditions[0].kind == ConditionKind::robin);
   CHECK(problem.conditions[0].first.constant() == 2);
-  CHECK(problem.conditions[1].kind == Kind::value);
-  CHECK(problem.conditions[2].kind == Kind::jump);
+  CHECK(problem.conditions[1].kind == ConditionKind::value);
+  CHECK(problem.conditions[2].kind == ConditionKind::jump);
   CHECK(problem.conditions[2].place == "/problem/diffuse/conditions/2");
   // wall 0, end, wall 2, end, membrane, second, slit
   CHECK(problem.condition_of_curve == std::vector<int>{0, 1, 0, 1, 2, none, 1});
@@ -80,7 +80,7 @@ TEST_CASE("flux and robin may stand on any curve", "[tools][problem]") {
                         {"curve": "membrane", "robin": {"transfer": 0, "ambient": -1}}])"),
       mesh);
   CHECK(problem.condition_of_curve == std::vector<int>{0, none, none, none, 1, 0, 0});
-  CHECK(problem.conditions[0].kind == Kind::flux);
+  CHECK(problem.conditions[0].kind == ConditionKind::flux);
   CHECK(problem.conditions[0].first.constant() == -3);
   CHECK(problem.conditions[1].second.constant() == -1);
   CHECK(problem.convection.empty());

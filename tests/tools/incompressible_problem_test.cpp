@@ -24,8 +24,8 @@ std::string with_conditions(const std::string& conditions) {
 }
 
 /// All of `words` are in the message.
-void check_refused(const Mesh& mesh, const std::string& members, const std::string& pointer,
-                   const std::vector<std::string>& words, const std::string& parameters = "{}") {
+void check_flow_refused(const Mesh& mesh, const std::string& members, const std::string& pointer,
+                        const std::vector<std::string>& words, const std::string& parameters = "{}") {
   CAPTURE(members, parameters);
   const Refusal refusal = refusal_of(flow_problem_of(members, parameters), mesh, make_flow_problem);
   CHECK(refusal.pointer == "/problem" + pointer);
@@ -143,78 +143,85 @@ TEST_CASE("the mesh follows free surfaces and interfaces, and other curves where
 TEST_CASE("names of a flow that the mesh does not have are errors that list those it has", "[tools][problem]") {
   const Mesh mesh = channel(1);
   const std::string materials = "/navierstokes/materials", fluid = R"({"viscosity": 1})";
-  check_refused(mesh, R"("materials": {"*": )" + fluid + R"(, "cel": )" + fluid + "}", materials + "/cel",
-                {"there is no face \"cel\"", "is \"cell\" meant?", "the faces are \"plasma\", \"cell\" and \"other\""});
-  check_refused(mesh, R"("materials": {"cell": )" + fluid + "}", materials,
-                {"the faces \"plasma\" and \"other\" have no material", "\"*\" stands for all"});
-  check_refused(mesh, R"("materials": {"cell": )" + fluid + R"(, "plasma": )" + fluid + "}", materials,
-                {"the face \"other\" has no material"});
-  check_refused(mesh, with_conditions(R"({"curve": "wall 1", "slip": true})"), "/navierstokes/conditions/0/curve",
-                {"there is no curve \"wall 1\"", "is \"wall 0\" meant?", "the curves are \"wall 0\", \"end\""});
-  check_refused(mesh, with_conditions(R"({"curve": ["end", "exit"], "slip": true})"),
-                "/navierstokes/conditions/0/curve/1", {"there is no curve \"exit\""});
-  check_refused(mesh, closed + R"(, "surface_tension": {"membrane": 1, "mem/brane": 1})",
-                "/navierstokes/surface_tension/mem~1brane",
-                {"there is no curve \"mem/brane\"", "is \"membrane\" meant?"});
-  check_refused(mesh, R"("materials": {"*": {"viscosity": "nu"}})", materials + "/*/viscosity",
-                {"\"nu\" is no name", "parameters: \"mu\"", "fields: \"velocity_x\" and \"velocity_y\""},
-                R"({"mu": 1})");
-  check_refused(mesh, closed + R"(, "force": ["velocity", 0])", "/navierstokes/force/0",
-                {"the field \"velocity\" has 2 components, velocity_x and velocity_y"});
+  check_flow_refused(
+      mesh, R"("materials": {"*": )" + fluid + R"(, "cel": )" + fluid + "}", materials + "/cel",
+      {"there is no face \"cel\"", "is \"cell\" meant?", "the faces are \"plasma\", \"cell\" and \"other\""});
+  check_flow_refused(mesh, R"("materials": {"cell": )" + fluid + "}", materials,
+                     {"the faces \"plasma\" and \"other\" have no material", "\"*\" stands for all"});
+  check_flow_refused(mesh, R"("materials": {"cell": )" + fluid + R"(, "plasma": )" + fluid + "}", materials,
+                     {"the face \"other\" has no material"});
+  check_flow_refused(mesh, with_conditions(R"({"curve": "wall 1", "slip": true})"), "/navierstokes/conditions/0/curve",
+                     {"there is no curve \"wall 1\"", "is \"wall 0\" meant?", "the curves are \"wall 0\", \"end\""});
+  check_flow_refused(mesh, with_conditions(R"({"curve": ["end", "exit"], "slip": true})"),
+                     "/navierstokes/conditions/0/curve/1", {"there is no curve \"exit\""});
+  check_flow_refused(mesh, closed + R"(, "surface_tension": {"membrane": 1, "mem/brane": 1})",
+                     "/navierstokes/surface_tension/mem~1brane",
+                     {"there is no curve \"mem/brane\"", "is \"membrane\" meant?"});
+  check_flow_refused(mesh, R"("materials": {"*": {"viscosity": "nu"}})", materials + "/*/viscosity",
+                     {"\"nu\" is no name", "parameters: \"mu\"", "fields: \"velocity_x\" and \"velocity_y\""},
+                     R"({"mu": 1})");
+  check_flow_refused(mesh, closed + R"(, "force": ["velocity", 0])", "/navierstokes/force/0",
+                     {"the field \"velocity\" has 2 components, velocity_x and velocity_y"});
 }
 
 TEST_CASE("each curve of the outer boundary has one condition", "[tools][problem]") {
   const Mesh mesh = channel(1);
   const std::string at = "/navierstokes/conditions";
-  check_refused(mesh, water, at,
-                {"every curve of the outer boundary needs a condition: \"wall 0\", \"end\" and \"wall 2\" have none"});
-  check_refused(mesh, water + R"(, "conditions": [{"curve": ["end", "wall 2", "slit"], "slip": true}])", at,
-                {"every curve of the outer boundary needs a condition: \"wall 0\" has none", "\"*\" stands for all"});
-  check_refused(mesh, with_conditions(R"({"curve": "end", "slip": true}, {"curve": ["slit", "end"], "slip": true})"),
-                at + "/1/curve/1", {"curve 'end' (1)", "that of conditions/0"});
-  check_refused(mesh, with_conditions(R"({"curve": ["end", "end"], "slip": true})"), at + "/0/curve/1",
-                {"named twice"});
-  check_refused(mesh, with_conditions(R"({"curve": "*", "slip": true})"), at + "/1/curve", {"that of conditions/0"});
+  check_flow_refused(
+      mesh, water, at,
+      {"every curve of the outer boundary needs a condition: \"wall 0\", \"end\" and \"wall 2\" have none"});
+  check_flow_refused(
+      mesh, water + R"(, "conditions": [{"curve": ["end", "wall 2", "slit"], "slip": true}])", at,
+      {"every curve of the outer boundary needs a condition: \"wall 0\" has none", "\"*\" stands for all"});
+  check_flow_refused(mesh,
+                     with_conditions(R"({"curve": "end", "slip": true}, {"curve": ["slit", "end"], "slip": true})"),
+                     at + "/1/curve/1", {"curve 'end' (1)", "that of conditions/0"});
+  check_flow_refused(mesh, with_conditions(R"({"curve": ["end", "end"], "slip": true})"), at + "/0/curve/1",
+                     {"named twice"});
+  check_flow_refused(mesh, with_conditions(R"({"curve": "*", "slip": true})"), at + "/1/curve",
+                     {"that of conditions/0"});
 }
 
 TEST_CASE("a stress from outside and an outflow stand on the outer boundary", "[tools][problem]") {
   const Mesh mesh = channel(1);
   for (const std::string condition : {R"("traction": [0, 0])", R"("outflow": true)", R"("natural": true)"}) {
     const std::string kind = condition.substr(0, condition.find(':'));
-    check_refused(mesh, with_conditions(R"({"curve": ["end", "membrane"], )" + condition + "}"),
-                  "/navierstokes/conditions/0/curve/1",
-                  {"curve 'membrane' (4) lies between 'cell' and 'plasma'", kind + " can only stand on the outer"});
-    check_refused(mesh, with_conditions(R"({"curve": "slit", )" + condition + "}"), "/navierstokes/conditions/0/curve",
-                  {"curve 'slit' (6) lies in 'plasma'", kind});
+    check_flow_refused(
+        mesh, with_conditions(R"({"curve": ["end", "membrane"], )" + condition + "}"),
+        "/navierstokes/conditions/0/curve/1",
+        {"curve 'membrane' (4) lies between 'cell' and 'plasma'", kind + " can only stand on the outer"});
+    check_flow_refused(mesh, with_conditions(R"({"curve": "slit", )" + condition + "}"),
+                       "/navierstokes/conditions/0/curve", {"curve 'slit' (6) lies in 'plasma'", kind});
     // By "*" it stands on outer curves only.
     const FlowProblem problem =
         make_flow_problem(flow_problem_of(water + R"(, "conditions": [{"curve": "*", )" + condition + "}]"), mesh);
     CHECK(problem.condition_of_curve == std::vector<int>{0, 0, 0, 0, none, none, none});
   }
-  check_refused(mesh, with_conditions(R"({"curve": "end", "moves": true, "outflow": true})"),
-                "/navierstokes/conditions/0/moves", {"is true, but fluid passes through an outflow"});
+  check_flow_refused(mesh, with_conditions(R"({"curve": "end", "moves": true, "outflow": true})"),
+                     "/navierstokes/conditions/0/moves", {"is true, but fluid passes through an outflow"});
 }
 
 TEST_CASE("constants of a flow out of their ranges are refused at once", "[tools][problem]") {
   const Mesh mesh = channel(1);
   const auto fluid = [](const std::string& members) { return R"("materials": {"*": {)" + members + "}}"; };
   const std::string at = "/navierstokes/materials/*";
-  check_refused(mesh, fluid(R"("viscosity": 0)"), at + "/viscosity", {"the viscosity is 0", "above zero"});
-  check_refused(mesh, fluid(R"("viscosity": -1)"), at + "/viscosity", {"the viscosity is -1", "above zero"});
-  check_refused(mesh, fluid(R"("viscosity": "k - 1")"), at + "/viscosity", {"is -0.5"}, R"({"k": 0.5})");
-  check_refused(mesh, fluid(R"("viscosity": "1/0")"), at + "/viscosity", {"finite"});
-  check_refused(mesh, fluid(R"("viscosity": 1, "density": -1e-9)"), at + "/density",
-                {"the density is -1e-09", "not be negative"});
-  check_refused(mesh, closed + R"(, "surface_tension": {"membrane": -2})", "/navierstokes/surface_tension/membrane",
-                {"the surface tension is -2", "not be negative"});
-  check_refused(mesh, closed + R"(, "surface_tension": {"membrane": "0/0"})", "/navierstokes/surface_tension/membrane",
-                {"finite"});
-  check_refused(mesh, with_conditions(R"({"curve": "end", "velocity": [0, "1/0"]})"),
-                "/navierstokes/conditions/0/velocity/1", {"finite"});
-  check_refused(mesh, with_conditions(R"({"curve": "end", "traction": ["1/0", 0]})"),
-                "/navierstokes/conditions/0/traction/0", {"finite"});
+  check_flow_refused(mesh, fluid(R"("viscosity": 0)"), at + "/viscosity", {"the viscosity is 0", "above zero"});
+  check_flow_refused(mesh, fluid(R"("viscosity": -1)"), at + "/viscosity", {"the viscosity is -1", "above zero"});
+  check_flow_refused(mesh, fluid(R"("viscosity": "k - 1")"), at + "/viscosity", {"is -0.5"}, R"({"k": 0.5})");
+  check_flow_refused(mesh, fluid(R"("viscosity": "1/0")"), at + "/viscosity", {"finite"});
+  check_flow_refused(mesh, fluid(R"("viscosity": 1, "density": -1e-9)"), at + "/density",
+                     {"the density is -1e-09", "not be negative"});
+  check_flow_refused(mesh, closed + R"(, "surface_tension": {"membrane": -2})",
+                     "/navierstokes/surface_tension/membrane", {"the surface tension is -2", "not be negative"});
+  check_flow_refused(mesh, closed + R"(, "surface_tension": {"membrane": "0/0"})",
+                     "/navierstokes/surface_tension/membrane", {"finite"});
+  check_flow_refused(mesh, with_conditions(R"({"curve": "end", "velocity": [0, "1/0"]})"),
+                     "/navierstokes/conditions/0/velocity/1", {"finite"});
+  check_flow_refused(mesh, with_conditions(R"({"curve": "end", "traction": ["1/0", 0]})"),
+                     "/navierstokes/conditions/0/traction/0", {"finite"});
   for (const std::string member : {"gravity", "force", "initial"})
-    check_refused(mesh, closed + ", \"" + member + R"(": [1, "1/0"])", "/navierstokes/" + member + "/1", {"finite"});
+    check_flow_refused(mesh, closed + ", \"" + member + R"(": [1, "1/0"])", "/navierstokes/" + member + "/1",
+                       {"finite"});
   // Without density it is the flow of Stokes; what is no constant is looked at where it is evaluated.
   const FlowProblem stokes = make_flow_problem(
       flow_problem_of(R"("materials": {"*": {"density": 0, "viscosity": "-1 - x"}}, "conditions": [)" + walls + "]"),
@@ -256,8 +263,8 @@ TEST_CASE("a coefficient of a flow may use the velocity, also where the mesh get
   CHECK(std::isnan(force()));
   set_field(mesh, "velocity", 2, none, [](const Point&, std::span<double> v) { v[0] = 2, v[1] = 3; });
   CHECK(force() == 32);
-  check_refused(mesh, closed + R"(, "initial": [0, "2*velocity_x"])", "/navierstokes/initial/1",
-                {"uses the unknown \"velocity\""});
+  check_flow_refused(mesh, closed + R"(, "initial": [0, "2*velocity_x"])", "/navierstokes/initial/1",
+                     {"uses the unknown \"velocity\""});
 }
 
 TEST_CASE("a problem that is none of a flow for this mesh is refused", "[tools][problem]") {

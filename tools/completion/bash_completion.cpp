@@ -8,7 +8,7 @@ namespace pliant {
 namespace {
 
 /// What is the same for all tools; @...@ is filled in. It needs bash alone, and does no harm beside bash-completion.
-constexpr const char* text = R"--(# Completion of @TOOL@ in bash: what `@TOOL@ --completion bash` prints.
+constexpr const char* bash_script = R"--(# Completion of @TOOL@ in bash: what `@TOOL@ --completion bash` prints.
 
 # Sets REPLY to what the shell would make of a word, and quote to the quote that is left open in it.
 _pliant_unquote() {
@@ -176,11 +176,6 @@ std::string joined(const std::vector<std::string>& words, const std::string& sep
   return all;
 }
 
-void fill_in(std::string& script, const std::string& place, const std::string& with) {
-  for (std::size_t at = script.find(place); at != std::string::npos; at = script.find(place, at + with.size()))
-    script.replace(at, place.size(), with);
-}
-
 /// What is done for a value of this form.
 std::string action(const ValueForm& form) {
   if (form.has_names) return "_pliant_ask";
@@ -206,7 +201,7 @@ std::string bash_completion(const CLI::App& app) {
   cases += "    '') _pliant_ask ;;\n";
   std::string function = "pliant_" + app.get_name();
   std::replace(function.begin(), function.end(), '-', '_');
-  std::string script = text;
+  std::string script = bash_script;
   fill_in(script, "@TOOL@", app.get_name());
   fill_in(script, "@FUNCTION@", function);
   fill_in(script, "@TAKERS@", joined(takers, " | "));

@@ -36,6 +36,11 @@ std::vector<std::string> input_extensions(const std::string& tool) {
 
 }  // namespace
 
+void fill_in(std::string& script, const std::string& place, const std::string& with) {
+  for (std::size_t at = script.find(place); at != std::string::npos; at = script.find(place, at + with.size()))
+    script.replace(at, place.size(), with);
+}
+
 std::vector<const CLI::Option*> shown_options(const CLI::App& app) {
   std::vector<const CLI::Option*> shown;
   const auto add = [&shown](const CLI::App& from, bool whole) {

@@ -29,6 +29,9 @@ struct ValueForm {
 };
 ValueForm form_of(const CLI::App& app, const CLI::Option& option);
 
+/// Puts `with` into a script for each `place`, a word between signs @.
+void fill_in(std::string& script, const std::string& place, const std::string& with);
+
 /// The script for a shell.
 std::string bash_completion(const CLI::App& app);
 std::string zsh_completion(const CLI::App& app);

@@ -8,7 +8,7 @@
 namespace pliant {
 namespace {
 
-constexpr const char* text = R"--(#compdef @TOOL@
+constexpr const char* zsh_script = R"--(#compdef @TOOL@
 # Completion of @TOOL@ in zsh: what `@TOOL@ --completion zsh` prints.
 
 # Asks the tool itself, which is $tool behind an alias, for the names that the option $1 may have: some are in the input.
@@ -49,11 +49,6 @@ else
   compdef _@FUNCTION@ @TOOL@
 fi
 )--";
-
-void fill_in(std::string& script, const std::string& place, const std::string& with) {
-  for (std::size_t at = script.find(place); at != std::string::npos; at = script.find(place, at + with.size()))
-    script.replace(at, place.size(), with);
-}
 
 /// Within single quotes, in a specification of _arguments, where `special` characters mean something.
 std::string quoted(const std::string& words, const char* special) {
@@ -114,7 +109,7 @@ std::string zsh_completion(const CLI::App& app) {
   }
   std::string function = "pliant_" + app.get_name();
   std::replace(function.begin(), function.end(), '-', '_');
-  std::string script = text;
+  std::string script = zsh_script;
   fill_in(script, "@TOOL@", app.get_name());
   fill_in(script, "@FUNCTION@", function);
   fill_in(script, "@SPECIFICATIONS@", specifications);

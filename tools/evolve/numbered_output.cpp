@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "evolve/frame_output.h"
+#include "formats/document/characters.h"
 #include "formats/document/document_form.h"
 #include "run/exit_status.h"
 #include "run/output_file.h"
@@ -33,8 +34,6 @@ struct Pattern {
 [[noreturn]] void refuse(const std::string& pattern) {
   throw UsageError("--frames: '" + pattern + "' needs one number for the frame, such as %05d in out/%05d.json");
 }
-
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 Pattern parse(const std::string& text) {
   Pattern pattern;

@@ -14,7 +14,7 @@ std::string text_of(double value) {
   return {digits, std::to_chars(digits, digits + sizeof digits, value).ptr};
 }
 
-std::string quoted(const std::string& word) { return text_of(StepCommand{{word, 0}}); }
+std::string quoted_word(const std::string& word) { return text_of(StepCommand{{word, 0}}); }
 
 /// The step as a pipe of the shell, which moves to the time in $goal.
 std::string pipe_to_goal(const Step& step) {
@@ -74,9 +74,9 @@ std::string pipe_of(const EvolveOptions& options, const Step& step) {
   std::ranges::sort(times);
   for (const double time : times) at += (at.empty() ? "" : " ") + text_of(time);
   const bool to_file = options.tool.output != "-" && !options.is_numbered();
-  const std::string add_frame = options.is_numbered() ? "cp \"$work/state\" \"$(printf " + quoted(options.frames) +
+  const std::string add_frame = options.is_numbered() ? "cp \"$work/state\" \"$(printf " + quoted_word(options.frames) +
                                                             " \"$frames\")\"; frames=$((frames + 1))"
-                                : to_file ? "cat \"$work/state\" >> " + quoted(options.tool.output)
+                                : to_file ? "cat \"$work/state\" >> " + quoted_word(options.tool.output)
                                           : "cat \"$work/state\"";
   std::string text = "#!/bin/bash\n# The loop of tools that equals:\n#   evolve";
   if (schedule.until) text += " --until " + text_of(*schedule.until);
@@ -92,9 +92,9 @@ std::string pipe_of(const EvolveOptions& options, const Step& step) {
           " -v steps=" + (schedule.steps ? std::to_string(*schedule.steps) : "") +
           " -v every=" + std::to_string(schedule.every) + " -v at='" + at + "' '" + goals_in_awk + "'\n}\n\n";
   text += "# A mesh that is late passes through: written as the tools write.\n";
-  text +=
-      "advect --vx 0 --vy 0 --dt 1 --until=-1e308 --to json -- " + quoted(options.tool.input) + " > \"$work/state\"\n";
-  if (to_file) text += ": > " + quoted(options.tool.output) + "\n";
+  text += "advect --vx 0 --vy 0 --dt 1 --until=-1e308 --to json -- " + quoted_word(options.tool.input) +
+          " > \"$work/state\"\n";
+  if (to_file) text += ": > " + quoted_word(options.tool.output) + "\n";
   if (options.is_numbered()) text += "frames=0\n";
   text += add_frame + "\nwritten=1\nwhile read -r goal frame; do\n  parts=0\n";
   text +=

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 
 #include "formats/document/write_json.h"
@@ -15,8 +14,6 @@
 
 namespace pliant {
 namespace {
-
-constexpr double no_value = std::numeric_limits<double>::quiet_NaN();
 
 void append_cell(std::string& out, double value) {
   if (std::isfinite(value)) append_number(out, value);

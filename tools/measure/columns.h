@@ -1,5 +1,6 @@
 // tools/measure/columns.h: the columns of one line: what was asked for, measured on one mesh.
 #pragma once
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -9,6 +10,9 @@
 #include "pliant/fem/measures/sample_points.h"
 
 namespace pliant {
+
+/// What is measured where there is nothing: an empty cell.
+inline constexpr double no_value = std::numeric_limits<double>::quiet_NaN();
 
 struct MeasuredColumn {
   std::string name;

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <numbers>
 
 #include "formats/problem/flow_memory.h"
@@ -15,8 +14,6 @@
 
 namespace pliant {
 namespace {
-
-constexpr double no_value = std::numeric_limits<double>::quiet_NaN();
 
 class Region {
  public:

@@ -4,7 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 
-#include "formats/document/utf8.h"
+#include "formats/document/characters.h"
 #include "pliant/boundary/boundary_spans.h"
 #include "pliant/mesh/interpolate_nodes.h"
 #include "run/exit_status.h"

@@ -10,9 +10,9 @@
 namespace pliant {
 namespace {
 
-class Builder {
+class DiffusionBuilder {
  public:
-  Builder(const ProblemDocument& problem, const Mesh& mesh)
+  DiffusionBuilder(const ProblemDocument& problem, const Mesh& mesh)
       : section_(require_section(problem, "diffuse", problem.diffuse.has_value())),
         given_(*problem.diffuse),
         mesh_(mesh),
@@ -172,7 +172,7 @@ class Builder {
 }  // namespace
 
 DiffusionProblem make_diffusion_problem(const ProblemDocument& problem, const Mesh& mesh) {
-  return Builder(problem, mesh).build();
+  return DiffusionBuilder(problem, mesh).build();
 }
 
 }  // namespace pliant

@@ -12,9 +12,9 @@
 namespace pliant {
 namespace {
 
-class Explainer {
+class DiffusionExplainer {
  public:
-  Explainer(const DiffusionProblem& diffusion, const ProblemDocument& problem, const Mesh& mesh)
+  DiffusionExplainer(const DiffusionProblem& diffusion, const ProblemDocument& problem, const Mesh& mesh)
       : diffusion_(diffusion),
         given_(*problem.diffuse),
         mesh_(mesh),
@@ -106,7 +106,7 @@ class Explainer {
 }  // namespace
 
 std::string explain(const DiffusionProblem& diffusion, const ProblemDocument& problem, const Mesh& mesh) {
-  return Explainer(diffusion, problem, mesh).text();
+  return DiffusionExplainer(diffusion, problem, mesh).text();
 }
 
 }  // namespace pliant

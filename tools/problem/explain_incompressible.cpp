@@ -11,9 +11,9 @@
 namespace pliant {
 namespace {
 
-class Explainer {
+class FlowExplainer {
  public:
-  Explainer(const FlowProblem& flow, const ProblemDocument& problem, const Mesh& mesh)
+  FlowExplainer(const FlowProblem& flow, const ProblemDocument& problem, const Mesh& mesh)
       : flow_(flow),
         given_(*problem.navierstokes),
         mesh_(mesh),
@@ -113,7 +113,7 @@ class Explainer {
 }  // namespace
 
 std::string explain(const FlowProblem& flow, const ProblemDocument& problem, const Mesh& mesh) {
-  return Explainer(flow, problem, mesh).text();
+  return FlowExplainer(flow, problem, mesh).text();
 }
 
 }  // namespace pliant

@@ -11,9 +11,9 @@
 namespace pliant {
 namespace {
 
-class Builder {
+class FlowBuilder {
  public:
-  Builder(const ProblemDocument& problem, const Mesh& mesh)
+  FlowBuilder(const ProblemDocument& problem, const Mesh& mesh)
       : section_(require_section(problem, "navierstokes", problem.navierstokes.has_value())),
         given_(*problem.navierstokes),
         boundary_(mesh.boundary()),
@@ -161,7 +161,7 @@ class Builder {
 }  // namespace
 
 FlowProblem make_flow_problem(const ProblemDocument& problem, const Mesh& mesh) {
-  return Builder(problem, mesh).build();
+  return FlowBuilder(problem, mesh).build();
 }
 
 }  // namespace pliant

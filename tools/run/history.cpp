@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <array>
 
+#include "formats/document/characters.h"
 #include "formats/document/history.h"
-#include "formats/document/utf8.h"
 #include "run/exit_status.h"
 
 namespace pliant {

@@ -31,8 +31,12 @@ std::size_t terminal_width() {
 }
 
 std::string with_commas(long number) {
-  std::string text = std::to_string(number);
-  for (std::size_t k = text.size(); k > 3; k -= 3) text.insert(k - 3, ",");
+  const std::string digits = std::to_string(number);
+  std::string text;
+  for (std::size_t k = 0; k < digits.size(); ++k) {
+    if (k > 0 && (digits.size() - k) % 3 == 0) text += ',';
+    text += digits[k];
+  }
   return text;
 }
 

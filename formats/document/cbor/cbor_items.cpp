@@ -5,7 +5,7 @@
 #include <charconv>
 #include <string>
 
-#include "formats/document/utf8.h"
+#include "formats/document/characters.h"
 
 namespace pliant {
 

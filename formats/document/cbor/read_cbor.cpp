@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "formats/document/cbor/cbor_numbers.h"
-#include "formats/document/utf8.h"
+#include "formats/document/characters.h"
 
 namespace pliant {
 namespace {

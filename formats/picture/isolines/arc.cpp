@@ -10,8 +10,8 @@
 namespace pliant {
 namespace {
 
-constexpr int samples = 7;  // places between the ends at which a curve is compared with the isoline
-constexpr int most_halvings = 10;
+constexpr int arc_samples = 7;  // places between the ends at which a curve is compared with the isoline
+constexpr int most_arc_halvings = 10;
 
 Barycentric barycentric_of(const Point& local) { return {1 - local.x - local.y, local.x, local.y}; }
 
@@ -97,13 +97,13 @@ class ArcDrawer {
       : piece_(piece), tolerance_(tolerance), curves_(curves) {}
 
   void draw(const ArcEnd& from, const ArcEnd& to, int depth) {
-    std::array<Point, samples> through;
+    std::array<Point, arc_samples> through;
     Point middle{};
-    for (int k = 0; k < samples; ++k) {
-      const double s = double(k + 1) / (samples + 1);
+    for (int k = 0; k < arc_samples; ++k) {
+      const double s = double(k + 1) / (arc_samples + 1);
       const Point local = project(piece_, (1 - s) * from.local + s * to.local);
       through[static_cast<std::size_t>(k)] = on_isoline(piece_, local).place;
-      if (k == samples / 2) middle = local;
+      if (k == arc_samples / 2) middle = local;
     }
     if (is_straight(from.place, to.place, through)) {
       curves_.push_back({from.place, to.place});
@@ -112,17 +112,17 @@ class ArcDrawer {
     std::array<Point, 4> cubic = fitted(from, to, through);
     if (error(cubic, through) <= tolerance_ / 2) {
       curves_.push_back({cubic.begin(), cubic.end()});
-    } else if (depth == most_halvings) {
+    } else if (depth == most_arc_halvings) {
       curves_.push_back({from.place, to.place});
     } else {
-      const ArcEnd split{middle, through[samples / 2]};
+      const ArcEnd split{middle, through[arc_samples / 2]};
       draw(from, split, depth + 1);
       draw(split, to, depth + 1);
     }
   }
 
  private:
-  using Through = std::array<Point, samples>;
+  using Through = std::array<Point, arc_samples>;
 
   bool is_straight(const Point& a, const Point& b, const Through& through) const {
     const double size = distance(a, b);
@@ -140,15 +140,16 @@ class ArcDrawer {
     const Vector chord = distance(a, b) > 0 ? (b - a) / distance(a, b) : Vector{};
     if (squared_length(out) == 0) out = chord;
     if (squared_length(in) == 0) in = chord;
-    std::array<double, samples> s{};
+    std::array<double, arc_samples> s{};
     double length_so_far = 0;
-    for (std::size_t k = 0; k < samples; ++k) s[k] = length_so_far += distance(k == 0 ? a : through[k - 1], through[k]);
+    for (std::size_t k = 0; k < arc_samples; ++k)
+      s[k] = length_so_far += distance(k == 0 ? a : through[k - 1], through[k]);
     length_so_far += distance(through.back(), b);
     for (double& each : s) each /= length_so_far > 0 ? length_so_far : 1;
     std::array<Point, 4> cubic{a, a + length_so_far / 3 * out, b - length_so_far / 3 * in, b};
     for (int round = 0; round < 4; ++round) {
       double oo = 0, oi = 0, ii = 0, ro = 0, ri = 0;
-      for (std::size_t k = 0; k < samples; ++k) {
+      for (std::size_t k = 0; k < arc_samples; ++k) {
         const double r = 1 - s[k], b1 = 3 * r * r * s[k], b2 = 3 * r * s[k] * s[k];
         const Vector rest = through[k] - ((r * r * r + b1) * a + (b2 + s[k] * s[k] * s[k]) * b);
         oo += b1 * b1, oi -= b1 * b2 * dot(out, in), ii += b2 * b2;
@@ -158,15 +159,15 @@ class ArcDrawer {
       const double leg_out = (ro * ii - ri * oi) / determinant, leg_in = (ri * oo - ro * oi) / determinant;
       if (!(leg_out > 0 && leg_in > 0 && leg_out < 3 * length_so_far && leg_in < 3 * length_so_far)) break;
       cubic = {a, a + leg_out * out, b - leg_in * in, b};
-      for (std::size_t k = 0; k < samples; ++k) s[k] = nearest(cubic, through[k], s[k]);
+      for (std::size_t k = 0; k < arc_samples; ++k) s[k] = nearest(cubic, through[k], s[k]);
     }
     return cubic;
   }
 
   double error(const std::array<Point, 4>& cubic, const Through& through) const {
     double most = 0;
-    for (std::size_t k = 0; k < samples; ++k) {
-      const double s = nearest(cubic, through[k], double(k + 1) / (samples + 1));
+    for (std::size_t k = 0; k < arc_samples; ++k) {
+      const double s = nearest(cubic, through[k], double(k + 1) / (arc_samples + 1));
       most = std::max(most, distance(on_cubic(cubic, s), through[k]));
     }
     return most;

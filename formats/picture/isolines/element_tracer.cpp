@@ -42,9 +42,10 @@ std::optional<Vector> direction_of_growth(int degree, const std::vector<double>&
   return direction;
 }
 
-class Tracer {
+class IsolineTracer {
  public:
-  Tracer(const ElementToTrace& element, double tolerance, std::size_t& crossing_count, std::vector<IsolineArc>& arcs)
+  IsolineTracer(const ElementToTrace& element, double tolerance, std::size_t& crossing_count,
+                std::vector<IsolineArc>& arcs)
       : element_(element), tolerance_(tolerance), crossing_count_(crossing_count), arcs_(arcs) {}
 
   /// `traces`: how many pieces have been traced before in the element that this one is a piece of.
@@ -58,7 +59,7 @@ class Tracer {
     for (const Doubtful& piece : doubtful_) {
       const bool is_small = size_of(piece.element.geometry) <= tolerance_ / 2;
       if (!is_small && doubtful_.size() <= many && level < most_levels && ++traces <= most_traces) {
-        uncertain += Tracer(piece.element, tolerance_, crossing_count_, arcs_).trace(level + 1, traces);
+        uncertain += IsolineTracer(piece.element, tolerance_, crossing_count_, arcs_).trace(level + 1, traces);
         continue;
       }
       for (std::size_t k = 0; k < piece.entries.size(); ++k) join_straight(piece.entries[k], piece.exits[k]);
@@ -295,7 +296,7 @@ bool has_one_sign(const std::vector<double>& field) {
 std::size_t trace_element(const ElementToTrace& element, double tolerance, std::size_t& crossing_count,
                           std::vector<IsolineArc>& arcs) {
   int traces = 0;
-  return Tracer(element, tolerance, crossing_count, arcs).trace(0, traces);
+  return IsolineTracer(element, tolerance, crossing_count, arcs).trace(0, traces);
 }
 
 }  // namespace pliant

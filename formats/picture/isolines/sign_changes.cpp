@@ -9,7 +9,7 @@
 namespace pliant {
 namespace {
 
-constexpr int most_halvings = 52;
+constexpr int most_root_halvings = 52;
 
 class Search {
  public:
@@ -20,7 +20,7 @@ class Search {
     // By Descartes's rule there are no more changes in the segment than between its coefficients.
     int changes = 0;
     for (std::size_t k = 1; k < b.size(); ++k) changes += (b[k] >= 0) != (b[k - 1] >= 0) ? 1 : 0;
-    if (changes == 0 || depth == most_halvings) {
+    if (changes == 0 || depth == most_root_halvings) {
       if (above_from != above_to) found.push_back(std::abs(b.front()) <= std::abs(b.back()) ? from : to);
       return;
     }

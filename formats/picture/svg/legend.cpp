@@ -9,7 +9,7 @@
 namespace pliant {
 namespace {
 
-constexpr double bar_left = 18, bar_width = 14, row = 22, font = 12, line = 14;
+constexpr double bar_left = 18, bar_width = 14, row = 22, legend_font = 12, line = 14;
 constexpr double least_width = 122, most_name = 220;
 
 /// The lines above the colours: the time, and how many elements are bad.
@@ -55,8 +55,9 @@ Bar bar_of(const Legend& legend, double height) {
   } else {
     bar.values = {range.low}, bar.labels = {short_number(range.low)};
   }
-  for (const std::string& label : bar.labels) bar.labels_width = std::max(bar.labels_width, text_width(label, font));
-  bar.title = wrapped(legend.title, bar.height, font, false, 3);
+  for (const std::string& label : bar.labels)
+    bar.labels_width = std::max(bar.labels_width, text_width(label, legend_font));
+  bar.title = wrapped(legend.title, bar.height, legend_font, false, 3);
   return bar;
 }
 
@@ -73,7 +74,7 @@ void face_rows(const Legend& legend, double height, std::string& out) {
     out += "<rect x=\"" + short_number(bar_left) + "\" y=\"" + short_number(y) +
            "\" width=\"14\" height=\"14\" rx=\"3\" fill=\"" + hex(face_color(legend.theme, static_cast<FaceId>(f))) +
            "\"/>\n";
-    write_text(out, bar_left + 22, y + 11, "", shortened(legend.mesh.boundary.faces[f].name, most_name, font));
+    write_text(out, bar_left + 22, y + 11, "", shortened(legend.mesh.boundary.faces[f].name, most_name, legend_font));
   }
   if (shown < faces) write_text(out, bar_left, y + 11, "", "and " + std::to_string(faces - shown) + " more");
 }
@@ -103,11 +104,12 @@ void color_bar(const Legend& legend, double height, std::string& out) {
 
 double legend_width(const Legend& legend, double height) {
   double width = 0;
-  for (const Heading& each : heading(legend)) width = std::max(width, bar_left + text_width(each.text, font, true));
+  for (const Heading& each : heading(legend))
+    width = std::max(width, bar_left + text_width(each.text, legend_font, true));
   if (legend.kind == ColorBy::Kind::face) {
     const std::vector<Face>& faces = legend.mesh.boundary.faces;
     for (std::size_t f = 0; f < rows_within(legend, height); ++f)
-      width = std::max(width, bar_left + 22 + std::min(most_name, text_width(faces[f].name, font)));
+      width = std::max(width, bar_left + 22 + std::min(most_name, text_width(faces[f].name, legend_font)));
     return std::max(width + 8, 96.0);
   }
   if (!legend.range.is_empty()) {

@@ -11,7 +11,7 @@
 namespace pliant {
 namespace {
 
-constexpr int max_halvings = 16;
+constexpr int max_path_halvings = 16;
 
 std::vector<double> coordinates(const std::vector<Point>& polygon) {
   std::vector<double> rows;
@@ -103,7 +103,7 @@ SvgPath& SvgPath::curve_to(const std::vector<Point>& polygon) {
 
 void SvgPath::cubics(const std::vector<double>& polygon, int depth) {
   const std::vector<double> cubic = hermite_cubic(polygon);
-  if (depth >= max_halvings || distance_bound(polygon, cubic) <= tolerance_) {
+  if (depth >= max_path_halvings || distance_bound(polygon, cubic) <= tolerance_) {
     text("C").point({cubic[2], cubic[3]}).text(" ").point({cubic[4], cubic[5]}).text(" ").point({cubic[6], cubic[7]});
     return;
   }

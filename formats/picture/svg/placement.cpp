@@ -16,7 +16,7 @@ constexpr double margin = 0.03;  // around the control points, as a part of the 
 constexpr double far = 1024;
 constexpr double least_side = 0x1p-3, most_side = 0x1p20;  // larger sides of pictures in the document's unit
 constexpr int usual_exponent = 9;                          // in another unit the larger side is from 2^9 to 2^10
-constexpr int most_halvings = 60;                          // from the mesh to what is shown
+constexpr int most_box_halvings = 60;                      // from the mesh to what is shown
 
 double larger_side(const Box& box) { return std::max(box.high.x - box.low.x, box.high.y - box.low.y); }
 
@@ -55,7 +55,7 @@ double origin_of(double low, double high, double side) {
 
 double unit_for(double side, double size) {
   if (side == 0 || (side >= least_side && side <= most_side)) return 1;
-  return std::exp2(std::max(std::ilogb(side) - usual_exponent, std::ilogb(size) - most_halvings));
+  return std::exp2(std::max(std::ilogb(side) - usual_exponent, std::ilogb(size) - most_box_halvings));
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // formats/picture/svg/shown_parts.cpp: the parts of edges and elements that a picture shows.
 #include "formats/picture/svg/shown_parts.h"
 
+#include "formats/picture/mesh_edges.h"
 #include "pliant/geometry/control_net.h"
 
 namespace pliant {
@@ -25,13 +26,6 @@ bool is_too_large(const Drawing& drawing, const Box& hull) { return hull.size() 
 
 Barycentric middle(const Barycentric& a, const Barycentric& b) {
   return {(a[0] + b[0]) / 2, (a[1] + b[1]) / 2, (a[2] + b[2]) / 2};
-}
-
-std::vector<double> rows_of(const std::vector<Point>& points) {
-  std::vector<double> rows;
-  rows.reserve(2 * points.size());
-  for (const Point& p : points) rows.insert(rows.end(), {p.x, p.y});
-  return rows;
 }
 
 std::vector<Point> points_of(const std::vector<double>& rows) {

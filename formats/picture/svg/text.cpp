@@ -6,7 +6,7 @@
 #include <charconv>
 #include <cmath>
 
-#include "formats/document/utf8.h"
+#include "formats/document/characters.h"
 
 namespace pliant {
 namespace {

@@ -7,10 +7,6 @@
 namespace pliant {
 namespace {
 
-constexpr Rgb rgb(unsigned code) {
-  return {double(code >> 16 & 255) / 255, double(code >> 8 & 255) / 255, double(code & 255) / 255};
-}
-
 constexpr Rgb white{1, 1, 1}, black{0, 0, 0};
 constexpr std::array<Theme, 3> all{
     {{"light", white, rgb(0x14232e), white, rgb(0x3d4952), rgb(0x5c6770), {0.80, 0.82, 0.85}, 1, "viridis", false},

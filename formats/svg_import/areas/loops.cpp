@@ -10,7 +10,7 @@
 namespace pliant::svg {
 namespace {
 
-constexpr double same_place = 1e-12;   // gap, as a part of the drawing's size, that sums of decimals leave
+constexpr double loop_gap = 1e-12;     // gap, as a part of the drawing's size, that sums of decimals leave
 constexpr double exact_join = 1e-13;   // how far a join of exact pieces may move, as a part of the drawing's size
 constexpr double smooth_angle = 1e-3;  // in radians: a greater turn is a corner, however short its legs are
 constexpr double most_stretch = 16;    // of a knot span over its piece's length; beyond it ratios start anew
@@ -264,7 +264,7 @@ void close_by_line(std::vector<Piece>& pieces, const Point& end, const Point& st
 
 std::vector<Loop> make_loops(const Outline& outline, const LoopOptions& options, LoopCounts& counts) {
   std::vector<Loop> loops;
-  const double least = same_place * options.size;
+  const double least = loop_gap * options.size;
   const auto finish = [&](std::vector<Piece> pieces, const Point& start, const Point& end, bool) {
     close_by_line(pieces, end, start);
     if (!close_up(pieces, least) || !has_area(pieces, least)) {
@@ -281,7 +281,7 @@ std::vector<Loop> make_loops(const Outline& outline, const LoopOptions& options,
 
 std::vector<BSpline> make_lines(const Outline& outline, const LoopOptions& options, LoopCounts& counts) {
   std::vector<BSpline> lines;
-  const double least = same_place * options.size;
+  const double least = loop_gap * options.size;
   const auto finish = [&](std::vector<Piece> pieces, const Point& start, const Point& end, bool is_closed) {
     if (is_closed) close_by_line(pieces, end, start);
     if (!close_up(pieces, least, !is_closed)) return;

@@ -11,9 +11,9 @@ namespace pliant::svg {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-constexpr double smooth = 1e-7;    // in radians: parts that join under a smaller angle are one smooth run
-constexpr int most_halvings = 40;  // of a curve beside a part
-constexpr double safety = 2;       // samples of a distance may miss its greatest value by so much
+constexpr double smooth_join = 1e-7;      // in radians: parts that join under a smaller angle are one smooth run
+constexpr int most_stroke_halvings = 40;  // of a curve beside a part
+constexpr double safety = 2;              // samples of a distance may miss its greatest value by so much
 
 Vector left_of(const Vector& v) { return {-v.y, v.x}; }
 
@@ -72,7 +72,7 @@ class Stroker {
   void add_path(const Parts& parts, bool is_closed) {
     const std::size_t count = parts.size();
     const auto is_smooth = [&](std::size_t i) {  // the join before part i
-      return std::abs(turn(end_of(parts[(i + count - 1) % count]), start_of(parts[i]))) < smooth;
+      return std::abs(turn(end_of(parts[(i + count - 1) % count]), start_of(parts[i]))) < smooth_join;
     };
     std::size_t begin = 0;
     if (is_closed) {
@@ -203,7 +203,7 @@ class Stroker {
       const Point fit = r * r * r * p + 3 * r * r * s * a + 3 * r * s * s * b + s * s * s * q;
       worst = std::max(worst, distance(fit, curve(from + s * d)));
     }
-    if (worst * safety <= tolerance_ || depth >= most_halvings) {
+    if (worst * safety <= tolerance_ || depth >= most_stroke_halvings) {
       if (++offsets_ > most_offsets)
         throw InputError("", "the outline of a stroke needs more than " + std::to_string(most_offsets) +
                                  " curves; a greater --tolerance takes fewer");
@@ -285,7 +285,7 @@ class Stroker {
   void add_join(const StrokePart& before, const StrokePart& after) {
     const Vector in = end_of(before), out = start_of(after);
     double angle = turn(in, out);
-    if (std::abs(angle) < smooth) return;
+    if (std::abs(angle) < smooth_join) return;
     const Point p = after.at(after.first());
     // The outer side is on the right of a left turn; the wedge goes round counter-clockwise from `from` to `to`.
     const bool is_left = angle > 0;

@@ -6,10 +6,10 @@
 namespace pliant::svg {
 namespace {
 
-constexpr double vanishing = 1e-9;  // a speed below this part of a curve's size counts as a stop
-constexpr double slowest = 1e-7;    // a least speed up to this part is sought, and is an event
-constexpr double straight = 1e-13;  // a curve that bends less than this part of its size is a line
-constexpr int samples = 64;         // of the curvature, between which its events are found by halving
+constexpr double vanishing_speed = 1e-9;  // a speed below this part of a curve's size counts as a stop
+constexpr double slowest = 1e-7;          // a least speed up to this part is sought, and is an event
+constexpr double straight = 1e-13;        // a curve that bends less than this part of its size is a line
+constexpr int curvature_samples = 64;     // of the curvature, between which its events are found by halving
 
 double size_of(const std::array<Point, 4>& c) {
   return std::max({distance(c[0], c[1]), distance(c[0], c[2]), distance(c[0], c[3])});
@@ -81,11 +81,11 @@ Vector StrokePart::tangent(double t) const {
   Vector d = forward * derivative(t);
   if (kind_ != Kind::cubic) return unit(d);
   const double size = size_of(c_);
-  if (pliant::length(d) > vanishing * size) return unit(d);
+  if (pliant::length(d) > vanishing_speed * size) return unit(d);
   // Near a stop the curve leaves along its second derivative, or the third.
   const double side = t - first_ <= last_ - t ? 1 : -1;
   d = side * second(t);
-  if (pliant::length(d) > vanishing * size) return unit(d);
+  if (pliant::length(d) > vanishing_speed * size) return unit(d);
   d = c_[3] - c_[0];
   return pliant::length(d) > 0 ? unit(d) : Vector{1, 0};
 }
@@ -134,10 +134,10 @@ void StrokePart::add_events(double r, std::vector<double>& out) const {
     return cross(d, second(t)) * r - sign * speed * speed * speed;
   };
   const double size = size_of(c_);
-  const double step = (last_ - first_) / samples;
+  const double step = (last_ - first_) / curvature_samples;
   for (const double sign : {-1.0, 1.0})
-    for (int i = 0; i < samples && is_bent_; ++i) {
-      double low = first_ + i * step, high = i + 1 == samples ? last_ : first_ + (i + 1) * step;
+    for (int i = 0; i < curvature_samples && is_bent_; ++i) {
+      double low = first_ + i * step, high = i + 1 == curvature_samples ? last_ : first_ + (i + 1) * step;
       const bool is_low_positive = excess(low, sign) > 0;
       if (is_low_positive == (excess(high, sign) > 0)) continue;
       for (int k = 0; k < 60; ++k) {
@@ -149,7 +149,7 @@ void StrokePart::add_events(double r, std::vector<double>& out) const {
   if (kind_ != Kind::cubic) return;
   // The derivative changes by at most this from one sample to the next: the second one is linear.
   const double most_change = step * std::max(pliant::length(second(first_)), pliant::length(second(last_)));
-  for (int i = 0; i < samples; ++i) {  // the least speed between samples, by thirds
+  for (int i = 0; i < curvature_samples; ++i) {  // the least speed between samples, by thirds
     double low = first_ + i * step, high = low + step;
     if (speed(low) - most_change > slowest * size) continue;
     for (int k = 0; k < 100; ++k) {

@@ -11,13 +11,13 @@
 namespace pliant {
 namespace {
 
-constexpr int deepest = 60;              // halvings towards the ray's start
-constexpr std::size_t most_faults = 20;  // one wrong curve makes others look wrong
+constexpr int deepest = 60;                   // halvings towards the ray's start
+constexpr std::size_t most_side_faults = 20;  // one wrong curve makes others look wrong
 
-using Polygon = std::vector<Point>;
+using ControlPolygon = std::vector<Point>;
 
-std::pair<Polygon, Polygon> halves(std::span<const Point> polygon) {
-  Polygon left(polygon.begin(), polygon.end()), right = left;
+std::pair<ControlPolygon, ControlPolygon> halves(std::span<const Point> polygon) {
+  ControlPolygon left(polygon.begin(), polygon.end()), right = left;
   const std::size_t p = polygon.size() - 1;
   for (std::size_t r = 1; r <= p; ++r) {
     for (std::size_t i = p; i >= r; --i) left[i] = 0.5 * (left[i - 1] + left[i]);
@@ -40,7 +40,7 @@ int crossings(std::span<const Point> polygon, int depth = 0) {
 }
 
 /// The same for a curve that starts in the origin; its start does not count.
-int crossings_after_start(Polygon polygon) {
+int crossings_after_start(ControlPolygon polygon) {
   int count = 0;
   for (int depth = 0; depth < deepest; ++depth) {
     const auto rest = polygon.begin() + 1;
@@ -58,8 +58,8 @@ int crossings_after_start(Polygon polygon) {
 struct Direction {
   Vector along;
   /// The polygon relative to `start`, turned so that this direction becomes +x; only the difference is rounded.
-  Polygon turned(std::span<const Point> polygon, const Point& start) const {
-    Polygon result(polygon.begin(), polygon.end());
+  ControlPolygon turned(std::span<const Point> polygon, const Point& start) const {
+    ControlPolygon result(polygon.begin(), polygon.end());
     for (Point& q : result) q = {dot(q - start, along), cross(along, q - start)};
     return result;
   }
@@ -164,7 +164,7 @@ class Sides {
       if (spans_[i].curve == span.curve) finding.own_crossings += times;
     };
     // The first half is run backwards, which changes the signs of its crossings.
-    Polygon backwards = ray.turned(before, finding.place);
+    ControlPolygon backwards = ray.turned(before, finding.place);
     std::reverse(backwards.begin(), backwards.end());
     add(own, crossings_after_start(ray.turned(after, finding.place)) - crossings_after_start(std::move(backwards)));
     for (const int s : (horizontal ? rows_ : columns_).at(finding.place)) {
@@ -238,7 +238,7 @@ class Sides {
       for (const Finding& finding : findings) least = std::min(least, doubt(c, finding));
     for (const auto& [c, findings] : wrong)
       for (const Finding& finding : findings) {
-        if (doubt(c, finding) != least || faults.size() >= most_faults) continue;
+        if (doubt(c, finding) != least || faults.size() >= most_side_faults) continue;
         report_curve(c, finding, faults);
         break;
       }

@@ -13,17 +13,17 @@ namespace {
 
 // Relative to the size of the pair of curves:
 constexpr double least_margin = 1e-13;  // the distance of hulls that are apart; it is more than subdivision rounds
-constexpr double least_piece = 1e-11;   // pieces of this size that are not apart meet
+constexpr double least_contact_piece = 1e-11;  // pieces of this size that are not apart meet
 // Relative to the shorter curve, distances from a common end:
-constexpr double least_corner = 1e-9;    // curves are not compared any nearer to it
-constexpr double blurred_corner = 1e-7;  // nearer than this, curves that only have the same tangent seem to meet
+constexpr double least_contact_corner = 1e-9;  // curves are not compared any nearer to it
+constexpr double blurred_contact = 1e-7;       // nearer than this, curves that only have the same tangent seem to meet
 // Limits of the search:
 constexpr int deepest_self = 40;        // halvings of a curve; what is then not straight is a place where it stops
 constexpr int deepest_pair = 160;       // halvings of a pair of curves; doubles cannot tell more apart
 constexpr long most_tests = 2'000'000;  // tests of a pair of curves; a pair that needs more counts as in contact
 
 /// A part of one of the two curves.
-struct Piece {
+struct ContactPiece {
   std::array<Point, max_curve_degree + 1> points;
   int degree;
   double from, to;  // parameters on the whole curve
@@ -37,31 +37,31 @@ struct Piece {
 };
 
 /// The whole curve as a piece, relative to an origin.
-Piece whole(const ContactCurve& curve, const Point& origin) {
-  Piece piece{{}, static_cast<int>(curve.polygon.size()) - 1, 0, 1, curve.from, curve.to};
+ContactPiece whole(const ContactCurve& curve, const Point& origin) {
+  ContactPiece piece{{}, static_cast<int>(curve.polygon.size()) - 1, 0, 1, curve.from, curve.to};
   for (int i = 0; i <= piece.degree; ++i) piece.at(i) = curve.polygon[static_cast<std::size_t>(i)] - origin;
   return piece;
 }
 
 /// The same piece run backwards, so that its last point comes first.
-Piece reversed(Piece piece) {
+ContactPiece reversed(ContactPiece piece) {
   std::reverse(piece.points.begin(), piece.points.begin() + piece.degree + 1);
   std::swap(piece.from, piece.to);
   std::swap(piece.from_node, piece.to_node);
   return piece;
 }
 
-void shift(Piece& piece, const Point& origin) {
+void shift(ContactPiece& piece, const Point& origin) {
   for (int i = 0; i <= piece.degree; ++i) piece.at(i) -= origin;
 }
 
-double reach(const Piece& piece) {
+double reach(const ContactPiece& piece) {
   double most = 0;
   for (const Point& p : piece.polygon()) most = std::max({most, std::fabs(p.x), std::fabs(p.y)});
   return most;
 }
 
-double extent(const Piece& piece) {
+double extent(const ContactPiece& piece) {
   Box box;
   for (const Point& p : piece.polygon()) box.extend(p);
   return box.size();
@@ -72,8 +72,8 @@ class Search {
   /// New ends become nodes from `first_node` on, which is above the nodes of the curves' own ends.
   explicit Search(int first_node) : next_node_(first_node) {}
 
-  std::pair<Piece, Piece> halves(const Piece& piece) {
-    Piece left = piece, right = piece;
+  std::pair<ContactPiece, ContactPiece> halves(const ContactPiece& piece) {
+    ContactPiece left = piece, right = piece;
     const int p = piece.degree, node = next_node_++;
     for (int r = 1; r <= p; ++r) {
       for (int i = p; i >= r; --i) left.at(i) = 0.5 * (left.at(i - 1) + left.at(i));
@@ -85,7 +85,7 @@ class Search {
   }
 
   /// The contact of two pieces that are not parts of each other.
-  std::optional<Contact> compare(const Piece& a, const Piece& b) {
+  std::optional<Contact> compare(const ContactPiece& a, const ContactPiece& b) {
     // A curve that returns to its start would have two ends at the common node.
     if (a.from_node == a.to_node || b.from_node == b.to_node) {
       const bool split_a = a.from_node == a.to_node;
@@ -102,7 +102,7 @@ class Search {
   }
 
   /// The contact of a piece with itself, or the point where it stops.
-  std::optional<Contact> compare_with_itself(const Piece& piece, int depth = 0) {
+  std::optional<Contact> compare_with_itself(const ContactPiece& piece, int depth = 0) {
     if (runs_along_chord(piece)) return std::nullopt;
     if (depth == deepest_self)
       return Contact{Contact::Kind::turns_back, piece.middle(), piece.middle(), piece.at(0), -1};
@@ -115,7 +115,7 @@ class Search {
  private:
   /// Whether every leg advances along the chord. Then the piece does not meet itself, and its derivative vanishes
   /// nowhere.
-  static bool runs_along_chord(const Piece& piece) {
+  static bool runs_along_chord(const ContactPiece& piece) {
     const Vector chord = piece.chord();
     for (int i = 1; i <= piece.degree; ++i) {
       const Vector leg = piece.at(i) - piece.at(i - 1);
@@ -125,11 +125,11 @@ class Search {
     return true;
   }
 
-  std::optional<Contact> compare_halves(const Piece& a, const Piece& b) {
+  std::optional<Contact> compare_halves(const ContactPiece& a, const ContactPiece& b) {
     const auto [a1, a2] = halves(a);
     const auto [b1, b2] = halves(b);
-    for (const Piece* i : {&a1, &a2})
-      for (const Piece* j : {&b1, &b2})
+    for (const ContactPiece* i : {&a1, &a2})
+      for (const ContactPiece* j : {&b1, &b2})
         if (auto found = compare(*i, *j)) return found;
     return std::nullopt;
   }
@@ -137,7 +137,7 @@ class Search {
   /// Compares pieces that start in the same point. Coordinates relative to that point keep their relative precision,
   /// however small the pieces become. The longer piece is halved, or both if they are about as long, so that the
   /// margin, which is relative to the longer one, is small compared with both.
-  std::optional<Contact> from_common_end(Piece a, Piece b) {
+  std::optional<Contact> from_common_end(ContactPiece a, ContactPiece b) {
     const Point origin = a.at(0);
     shift(a, origin);
     shift(b, origin);
@@ -145,17 +145,17 @@ class Search {
     for (int depth = 0; depth < deepest_pair; ++depth) {
       if (cones_apart(a.polygon(), b.polygon(), least_margin)) return std::nullopt;
       const double extent_a = extent(a), extent_b = extent(b), near = std::max(extent_a, extent_b);
-      if (near < least_corner * whole_extent) break;
+      if (near < least_contact_corner * whole_extent) break;
       const bool cut_a = extent_a >= extent_b / 2, cut_b = extent_b >= extent_a / 2;
       const auto [a1, a2] = halves(a);
       const auto [b1, b2] = halves(b);
-      const Piece &near_a = cut_a ? a1 : a, &near_b = cut_b ? b1 : b;
+      const ContactPiece &near_a = cut_a ? a1 : a, &near_b = cut_b ? b1 : b;
       std::optional<Contact> found;
       if (cut_a && cut_b) found = compare_separate(a2, b2);
       if (!found && cut_b) found = compare_separate(near_a, b2);
       if (!found && cut_a) found = compare_separate(a2, near_b);
       if (found) {
-        if (near < blurred_corner * whole_extent) break;
+        if (near < blurred_contact * whole_extent) break;
         found->place += origin;
         return found;
       }
@@ -166,16 +166,16 @@ class Search {
   }
 
   /// The contact of two pieces without a common end.
-  std::optional<Contact> compare_separate(Piece a, Piece b) {
+  std::optional<Contact> compare_separate(ContactPiece a, ContactPiece b) {
     const double size = std::max(reach(a), reach(b));
     tests_ = 0;
     return compare_separate(a, b, size, 0);
   }
 
-  std::optional<Contact> compare_separate(const Piece& a, const Piece& b, double size, int depth) {
+  std::optional<Contact> compare_separate(const ContactPiece& a, const ContactPiece& b, double size, int depth) {
     if (hulls_apart(a.polygon(), b.polygon(), least_margin * size)) return std::nullopt;
     const double extent_a = extent(a), extent_b = extent(b);
-    if ((extent_a <= least_piece * size && extent_b <= least_piece * size) || ++tests_ > most_tests ||
+    if ((extent_a <= least_contact_piece * size && extent_b <= least_contact_piece * size) || ++tests_ > most_tests ||
         depth == deepest_pair)
       return Contact{Contact::Kind::meets, a.middle(), b.middle(), a.at(0)};
     const bool split_a = extent_a >= extent_b;

@@ -16,9 +16,9 @@ constexpr double finest = 1.0 / 64;      // pieces smaller than this part of `be
 constexpr double normal_slope = 1e-6;    // a line whose cosine with the tangent is less is normal to it
 constexpr double kink_slope = 0.02;      // the same at a joint that juts a little from the side of a body
 constexpr double touching = 1e-10;       // curves nearer than this part of `below` touch
-constexpr double neck_way = 2;        // the way along the boundary to the other side of a neck, per distance, is more
-constexpr double body_way = 4;        // the way along the boundary to the other side of a thin body, per distance
-constexpr long most_pairs = 200'000;  // pairs of pieces looked at for one pair of edges
+constexpr double neck_way = 2;  // the way along the boundary to the other side of a neck, per distance, is more
+constexpr double body_way = 4;  // the way along the boundary to the other side of a thin body, per distance
+constexpr long most_gap_pairs = 200'000;  // pairs of pieces looked at for one pair of edges
 constexpr double quarter = std::numbers::pi / 2;
 
 /// An edge's place on its curve.
@@ -32,7 +32,7 @@ struct CurveSum {
 };
 
 /// A piece of an edge in the search.
-struct Part {
+struct GapPart {
   GapPiece piece;
   int edge;
   double turn_from, turn_to;
@@ -101,8 +101,8 @@ class GapSearch {
     return angle_between(-outward_leg(before.polygon, false), outward_leg(after.polygon, true));
   }
 
-  Part part_of(int e) const { return {whole_piece(edge(e).polygon), e, station(e).turn_from, station(e).turn_to}; }
-  static std::pair<Part, Part> halves_of(const Part& part) {
+  GapPart part_of(int e) const { return {whole_piece(edge(e).polygon), e, station(e).turn_from, station(e).turn_to}; }
+  static std::pair<GapPart, GapPart> halves_of(const GapPart& part) {
     const auto [left, right] = halves(part.piece);
     const double left_turn = part.turn_from + turning(left.polygon());
     const double right_turn = part.turn_to - turning(right.polygon());
@@ -121,9 +121,9 @@ class GapSearch {
     return e != f && sum.from == sum.to && sum.turn + first.turn_to - second.turn_from < quarter;
   }
 
-  void compare_with_itself(const Part& a) {
+  void compare_with_itself(const GapPart& a) {
     if (a.turn_to - a.turn_from < quarter || polygon_length(a.piece.polygon()) < finest * below_ ||
-        ++tested_ > most_pairs)
+        ++tested_ > most_gap_pairs)
       return;
     const auto [left, right] = halves_of(a);
     compare_with_itself(left);
@@ -131,8 +131,8 @@ class GapSearch {
     compare(left, right);
   }
 
-  void compare(Part a, Part b) {
-    if (++tested_ > most_pairs) return;
+  void compare(GapPart a, GapPart b) {
+    if (++tested_ > most_gap_pairs) return;
     const ChordDistance chords = chord_distance(a.piece, b.piece);
     const double height_a = height_over_chord(a.piece), height_b = height_over_chord(b.piece);
     if (chords.distance - height_a - height_b >= best_ * (found_ ? 1 - distance_error : 1)) return;
@@ -143,21 +143,21 @@ class GapSearch {
     if ((a.piece.degree == 0 && b.piece.degree == 0) || is_fine(a, b)) return;
     const bool split_a = b.piece.degree == 0 || (a.piece.degree > 0 && extent(a) >= extent(b));
     const auto [one, two] = halves_of(split_a ? a : b);
-    for (const Part* half : {&one, &two}) split_a ? compare(*half, b) : compare(a, *half);
+    for (const GapPart* half : {&one, &two}) split_a ? compare(*half, b) : compare(a, *half);
   }
 
-  static double extent(const Part& part) {
+  static double extent(const GapPart& part) {
     Box box;
     for (const Point& p : part.piece.polygon()) box.extend(p);
     return box.size();
   }
-  bool is_fine(const Part& a, const Part& b) const {
+  bool is_fine(const GapPart& a, const GapPart& b) const {
     return extent(a) < finest * below_ && extent(b) < finest * below_;
   }
 
   /// Where the distance grows or falls all along a piece, only its near end counts, and that only at a vertex:
   /// elsewhere the edge goes on, closer still. Returns false if nothing of the piece counts.
-  static bool reduce_to_end(Part& a, const GapPiece& other) {
+  static bool reduce_to_end(GapPart& a, const GapPiece& other) {
     const int slope = slope_of_distance(a.piece, other);
     if (slope == 0) return true;
     const GapPiece end = end_of(a.piece, slope > 0);
@@ -167,7 +167,7 @@ class GapSearch {
   }
 
   /// True if the pieces have an end in common.
-  bool touch_at_ends(const Part& a, const Part& b) const {
+  bool touch_at_ends(const GapPart& a, const GapPart& b) const {
     for (const double s : {a.piece.from, a.piece.to})
       for (const double t : {b.piece.from, b.piece.to})
         if (is_same_place(a.edge, s, b.edge, t)) return true;
@@ -180,7 +180,7 @@ class GapSearch {
   }
   int vertex_at(int e, double s) const { return s == 0 ? edge(e).from : s == 1 ? edge(e).to : -1; }
 
-  void try_near(const Part& a, const Part& b, const ChordDistance& chords, bool touch) {
+  void try_near(const GapPart& a, const GapPart& b, const ChordDistance& chords, bool touch) {
     const auto [u, v] = polish(a.piece, b.piece, chords.u, chords.v);
     const CurvePlace x = evaluate_piece(a.piece, u), y = evaluate_piece(b.piece, v);
     const double apart = distance(x.place, y.place);
@@ -193,7 +193,7 @@ class GapSearch {
                       : Gap{apart, b.edge, a.edge, t, s, y.place, x.place};
   }
 
-  bool is_gap(const Part& a, double s, const CurvePlace& x, const Part& b, double t, const CurvePlace& y) const {
+  bool is_gap(const GapPart& a, double s, const CurvePlace& x, const GapPart& b, double t, const CurvePlace& y) const {
     const Vector apart = y.place - x.place;
     const Approach at_a = approach(a.edge, s, apart), at_b = approach(b.edge, t, -apart);
     if (!at_a.is_normal() || !at_b.is_normal()) return false;

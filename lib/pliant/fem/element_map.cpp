@@ -11,7 +11,6 @@ namespace pliant {
 namespace {
 
 constexpr double much_varying = 0.7;  // where min J / max J is below, the stiffness needs more points
-constexpr int greatest_exact_degree = 40;
 
 /// Are the control points those of an affine map, up to some bits of the element's size?
 bool is_affine(int degree, std::span<const Point> net) {

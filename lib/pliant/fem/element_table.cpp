@@ -12,8 +12,6 @@
 namespace pliant {
 namespace {
 
-constexpr int greatest_exact_degree = 40;
-
 /// The derivatives of all basis functions at a point: those of one degree less, each of which adds to two of them.
 void derivatives(int degree, const Barycentric& xi, std::span<double> along_2, std::span<double> along_3) {
   const NetLayout& layout = NetLayout::of(degree);

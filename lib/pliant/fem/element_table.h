@@ -35,6 +35,9 @@ struct ElementTable {
   }
 };
 
+/// The most exact rule that there is a table for.
+inline constexpr int greatest_exact_degree = 40;
+
 /// The table for elements of a degree and a rule of an exactness (symmetric_rule), built once; thread-safe.
 const ElementTable& element_table(int degree, int exact_degree);
 

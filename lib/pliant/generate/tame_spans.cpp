@@ -19,7 +19,7 @@ constexpr double most_turning = std::numbers::pi / 3;
 constexpr double least_length = 1e-13;  // least length of a span, in sizes of the boundary: what doubles can tell apart
 constexpr double margin = 1e-13;        // for the rounding of control points: in sizes of a pair of spans, or radians
 constexpr double sharp = 1e-3;          // radians: at smaller angles only very short spans have hulls that are apart
-constexpr int most_rounds = 200;
+constexpr int most_taming_rounds = 200;
 
 std::vector<Point> reversed(std::span<const Point> polygon) { return {polygon.rbegin(), polygon.rend()}; }
 
@@ -187,7 +187,7 @@ bool split_span(BoundaryComplex& boundary, const BoundarySpan& span, double leas
 TameOutcome tame_spans(BoundaryComplex& boundary) {
   TameOutcome outcome;
   const double least = least_span(boundary);
-  for (int i = 0; i < most_rounds; ++i) {
+  for (int i = 0; i < most_taming_rounds; ++i) {
     Round round(boundary);
     round.find_turning();
     round.find_pairs();
@@ -197,7 +197,7 @@ TameOutcome tame_spans(BoundaryComplex& boundary) {
       const double s = round.wishes()[k];
       if (s == 0) continue;
       any = true;
-      if (i + 1 == most_rounds && wrong.empty()) wrong = round.describe(boundary, k);
+      if (i + 1 == most_taming_rounds && wrong.empty()) wrong = round.describe(boundary, k);
       ++outcome.splits;
       if (split_span(boundary, round.spans()[k], least, s)) continue;
       outcome.failure = round.describe(boundary, k) + ": a span would be shorter than 1e-13 of the boundary's size";
@@ -206,7 +206,7 @@ TameOutcome tame_spans(BoundaryComplex& boundary) {
     if (!any) return outcome;
     outcome.failure = std::move(wrong);
   }
-  outcome.failure += ", after " + std::to_string(most_rounds) + " rounds of splits";
+  outcome.failure += ", after " + std::to_string(most_taming_rounds) + " rounds of splits";
   return outcome;
 }
 

@@ -135,7 +135,7 @@ struct PointMean {
 constexpr double unit_roundoff = 0x1p-53;
 
 /// A piece of an element. Its control points are relative to the point sought, which is the origin here.
-struct Piece {
+struct MapPiece {
   std::array<Barycentric, 3> corners;
   double error;  // bound of the rounding error in each coordinate of its control points
 };
@@ -208,10 +208,10 @@ ElementSearch search_pieces(const Map& map, std::span<const Point> net, double t
   const int degree = map.degree();
   const std::size_t n = net.size();
   std::vector<Point> nets(net.begin(), net.end());
-  std::vector<Piece> pieces{{{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}, 4 * unit_roundoff}};
+  std::vector<MapPiece> pieces{{{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}, 4 * unit_roundoff}};
   std::array<Point, max_degree + 1> row;
   for (int count = 0; !pieces.empty() && count < most_pieces; ++count) {
-    const Piece piece = pieces.back();
+    const MapPiece piece = pieces.back();
     const std::size_t first = nets.size() - n;
     const PieceTest test(degree, std::span(nets).subspan(first), piece.error);
     if (test.is_separated()) {

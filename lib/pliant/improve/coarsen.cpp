@@ -23,8 +23,8 @@ namespace {
 
 constexpr double gradation = 0.7;  // Lipschitz constant of the wanted length
 constexpr double growth = 1.8;     // a round wants edges at most this many times as long as the longest at a vertex
-constexpr int most_rounds = 40;    // rounds of choosing what stays and removing the rest
-constexpr int most_attempts = 5;   // attempts to find the vertices that must stay so that refine has nothing new to do
+constexpr int most_coarsening_rounds = 40;  // rounds of choosing what stays and removing the rest
+constexpr int most_attempts = 5;  // attempts to find the vertices that must stay so that refine has nothing new to do
 constexpr double default_tolerance = 1e-3;  // the default bound of all removals, as a share of the mesh's size
 constexpr double default_step_share = 0.1;  // the default bound of one removal, as a share of the bound of all
 constexpr double merged_share = 0.5;  // an edge is left by a removal only if it has this share of the resolution error
@@ -52,7 +52,7 @@ class Coarsener {
 
   PassReport run() {
     bool is_afresh = true;  // no vertices stuck in an earlier round are preferred: the first round of a new run
-    for (int round = 0; round < most_rounds; ++round) {
+    for (int round = 0; round < most_coarsening_rounds; ++round) {
       const long before = removals();
       parity_ = is_afresh ? 0 : 1 - parity_;
       choose();

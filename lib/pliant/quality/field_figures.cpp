@@ -11,11 +11,10 @@
 #include "pliant/geometry/index.h"
 #include "pliant/geometry/net_layout.h"
 #include "pliant/geometry/validity/jacobian.h"
+#include "pliant/quality/nan.h"
 
 namespace pliant {
 namespace {
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 /// Row m, column n: the integral over the unit right triangle of basis function m of the field times n of det J.
 std::vector<double> mixed_mass(int degree) {

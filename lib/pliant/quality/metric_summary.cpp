@@ -5,13 +5,12 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <numeric>
+
+#include "pliant/quality/nan.h"
 
 namespace pliant {
 namespace {
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 /// The least, the greatest and the sum of some finite values; computed four at a time, without branches.
 struct Extent {

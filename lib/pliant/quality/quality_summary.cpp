@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -14,12 +13,11 @@
 #include "pliant/geometry/quadrature.h"
 #include "pliant/geometry/validity/jacobian.h"
 #include "pliant/quality/element/element_measures.h"
+#include "pliant/quality/nan.h"
 #include "pliant/quality/quality_report.h"
 
 namespace pliant {
 namespace {
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 /// Index of the first value at a control point, as seen from a face; none if a field by face has no value there.
 std::ptrdiff_t first_value(const Field& field, PointId p, FaceId f) {

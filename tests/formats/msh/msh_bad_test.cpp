@@ -6,6 +6,8 @@
 #include "formats/msh/msh.h"
 #include "formats/msh/msh_writer.h"
 #include "pliant/mesh/check_mesh.h"
+#include "support/document_texts.h"
+#include "support/msh_texts.h"
 #include "support/refusals.h"
 #include "support/sample_meshes.h"
 #include "tests/formats/msh/msh_sample.h"
@@ -20,22 +22,7 @@ const std::string nodes = "$Nodes\n1 3 1 3\n2 1 0 3\n1\n2\n3\n0 0 0\n1 0 0\n0 1 
 const std::string elements = "$Elements\n1 1 1 1\n2 1 2 1\n1 1 2 3\n$EndElements\n";
 
 /// "line 7: text"
-std::string complaint(const std::string& file) {
-  try {
-    read_msh(file);
-  } catch (const InputError& e) {
-    return e.pointer().empty() ? e.what() : e.pointer() + ": " + e.what();
-  }
-  return "none";
-}
-
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-  const std::size_t place = text.find(from);
-  REQUIRE(place != std::string::npos);
-  return text.replace(place, from.size(), to);
-}
-
-MshSample small_sample() {
+MshSample bad_sample() {
   MshSample sample = msh_of(disk(2, 3));
   sample.names = {{2, 20, "cell"}, {1, 10, "rim"}};
   sample.tail = "$Periodic\n0\n$EndPeriodic\n$NodeData\n1\n\"view\"\n0\n0\n$EndNodeData\n";
@@ -85,7 +72,7 @@ TEST_CASE("a bad MSH file is refused with the line and what was expected there",
   CHECK(complaint(good) == "none");
   const auto check = [&](const std::string& from, const std::string& to, const std::string& expected) {
     INFO(to);
-    CHECK_THAT(complaint(replaced(good, from, to)), Catch::StartsWith(expected));
+    CHECK_THAT(complaint(edited(good, from, to)), Catch::StartsWith(expected));
   };
   check("4.1", "4.2", "line 2: MSH version 4.2: versions 1, 2, 4.0 and 4.1 are read");
   check("4.1", "1", "line 2: MSH version 1: ");
@@ -140,7 +127,7 @@ TEST_CASE("a bad MSH file is refused with the line and what was expected there",
 }
 
 TEST_CASE("an error in a binary MSH file has the byte offset", "[msh]") {
-  const MshSample sample = small_sample();
+  const MshSample sample = bad_sample();
   for (const MshKind& kind : msh_kinds) {
     if (!kind.binary) continue;
     const std::string good = write_msh(sample, kind);
@@ -158,7 +145,7 @@ TEST_CASE("an error in a binary MSH file has the byte offset", "[msh]") {
 }
 
 TEST_CASE("no control point of the largest coordinates that are read overflows", "[msh]") {
-  MshSample sample = small_sample();
+  MshSample sample = bad_sample();
   for (auto& node : sample.nodes) node.x *= 1e299;
   CHECK(complaint(write_msh(sample, {})) == "none");
   for (const int order : {2, 5, 10}) {

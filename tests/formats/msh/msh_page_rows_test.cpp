@@ -5,6 +5,7 @@
 
 #include "formats/msh/msh.h"
 #include "formats/msh/msh_writer.h"
+#include "support/document_texts.h"
 #include "support/sample_meshes.h"
 #include "tests/formats/page_rows.h"
 
@@ -41,12 +42,6 @@ const std::string head_2 = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n", head_4 = "$
                   nodes_4 = "$Nodes\n1 3 1 3\n2 6 0 3\n1\n2\n3\n0 0 5\n4 0 5\n0 4 5\n$EndNodes\n",
                   elements_4 = "$Elements\n1 1 1 1\n2 6 2 1\n1 1 2 3\n$EndElements\n";
 
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-  const std::size_t place = text.find(from);
-  REQUIRE(place != std::string::npos);
-  return text.replace(place, from.size(), to);
-}
-
 std::vector<Case> mesh_file_cases() {
   const std::string entities = "`$Entities`, `$PartitionedEntities`", old = "`$NOD` or `$NOE`, `$ELM`",
                     dull = "`$Periodic`, `$GhostElements`, `$Parametrizations`, `$Comments`",
@@ -69,7 +64,7 @@ std::vector<Case> mesh_file_cases() {
            elements_4,
        "surface 3"},
       {"`$Nodes`", head_4 + nodes_4 + elements_4, triangle},
-      {"`$Nodes`", head_2 + replaced(nodes_2, "0 4 5", "0 4 5.1") + elements_2, "node 3: has z = 5.1"},
+      {"`$Nodes`", head_2 + samples::edited(nodes_2, "0 4 5", "0 4 5.1") + elements_2, "node 3: has z = 5.1"},
       {parametric,
        head_2 + "$ParametricNodes\n3\n1 0 0 5 0 1\n2 4 0 5 1 2 0.5\n3 0 4 5 2 3 0.5 0.5\n$EndParametricNodes\n" +
            elements_2,

@@ -34,7 +34,7 @@ bool has(const std::vector<Fault>& faults, const std::string& invariant) {
 
 /// Two triangles of a unit square: nodes 1 to 4 round it, and a node in the middle of the diagonal 1 3 and of each
 /// side.
-MshSample square() {
+MshSample square_sample() {
   MshSample sample;
   sample.nodes = {{1, 0, 0, 0},   {2, 1, 0, 0},   {3, 1, 1, 0},   {4, 0, 1, 0},    {5, 0.5, 0, 0},
                   {6, 1, 0.5, 0}, {7, 0.5, 1, 0}, {8, 0, 0.5, 0}, {9, 0.5, 0.5, 0}};
@@ -105,7 +105,7 @@ TEST_CASE("physical groups name faces and curves, and edges between faces lie on
 }
 
 TEST_CASE("surfaces and curves in no group are named after their tags, equal names are told apart", "[msh]") {
-  MshSample sample = square();
+  MshSample sample = square_sample();
   sample.elements[1].entity = 2;
   sample.elements.push_back({8, 3, 0, 4, {1, 2, 5}});
   const MshImport import = read(sample);
@@ -150,7 +150,7 @@ TEST_CASE("node tags may have gaps, any order and any size; nodes of no triangle
 }
 
 TEST_CASE("triangles of mixed orders are raised to the highest, and share what is the same curve", "[msh]") {
-  MshSample sample = square();
+  MshSample sample = square_sample();
   sample.elements[1] = {2, 2, 0, 1, {1, 3, 4}};
   const MshImport import = read(sample);
   CHECK(import.mesh.degree == 2);
@@ -240,7 +240,7 @@ TEST_CASE("clockwise triangles are counted, and turned on request, but not tangl
 
 TEST_CASE("what is no triangle or line is counted and named", "[msh]") {
   for (const MshKind& kind : msh_kinds) {
-    MshSample sample = square();
+    MshSample sample = square_sample();
     sample.elements.push_back({3, 3, 0, 1, {1, 2, 3, 4}});
     sample.elements.push_back({3, 4, 0, 1, {1, 2, 3, 4}});
     sample.elements.push_back({20, 5, 0, 1, {1, 2, 3, 4, 5, 6, 7, 8, 9}});
@@ -259,7 +259,7 @@ TEST_CASE("what is no triangle or line is counted and named", "[msh]") {
 }
 
 TEST_CASE("an element in several physical groups counts for the first", "[msh]") {
-  MshSample sample = square();
+  MshSample sample = square_sample();
   for (auto& element : sample.elements) element.physical = 3;
   const std::string once = text_of(read(sample).mesh);
   for (std::size_t k = 0; k < 2; ++k) {
@@ -283,7 +283,7 @@ TEST_CASE("meshes whose triangles do not fit together still have well-formed arr
     return check_structure(read(sample).mesh);
   };
   SECTION("three triangles at an edge") {
-    MshSample sample = square();
+    MshSample sample = square_sample();
     sample.nodes.push_back({10, 2, 0.5, 0});
     sample.nodes.push_back({11, 2, 0.25, 0});
     sample.nodes.push_back({12, 2, 0.75, 0});
@@ -296,7 +296,7 @@ TEST_CASE("meshes whose triangles do not fit together still have well-formed arr
     CHECK(has(faults_of(sample), "M2"));
   }
   SECTION("neighbours that share the vertices of an edge only") {
-    MshSample sample = square();
+    MshSample sample = square_sample();
     sample.nodes.push_back({10, 0.5, 0.5, 0});
     sample.elements[1].nodes[3] = 10;
     const std::vector<Fault> faults = faults_of(sample);
@@ -304,7 +304,7 @@ TEST_CASE("meshes whose triangles do not fit together still have well-formed arr
     CHECK(faults[0].invariant == "M1");
   }
   SECTION("an element twice, corners that are one node, one node everywhere") {
-    MshSample sample = square();
+    MshSample sample = square_sample();
     sample.elements.push_back(sample.elements[0]);
     CHECK(!faults_of(sample).empty());
     sample.elements[2].nodes = {1, 1, 2, 5, 6, 7};
@@ -315,7 +315,7 @@ TEST_CASE("meshes whose triangles do not fit together still have well-formed arr
     CHECK(!faults_of(sample).empty());
   }
   SECTION("two parts that touch without common nodes are sound, each by itself") {
-    MshSample sample = square();
+    MshSample sample = square_sample();
     for (std::size_t k = 0; k < 9; ++k) {
       MshSample::Node node = sample.nodes[k];
       sample.nodes.push_back({node.tag + 20, node.x + 1, node.y, 0});
@@ -328,7 +328,7 @@ TEST_CASE("meshes whose triangles do not fit together still have well-formed arr
     CHECK(faults_of(sample).empty());
   }
   SECTION("a vertex where the mesh only touches itself") {
-    MshSample sample = square();
+    MshSample sample = square_sample();
     sample.nodes.insert(sample.nodes.end(),
                         {{10, 2, 1, 0}, {11, 2, 2, 0}, {12, 1.5, 1, 0}, {13, 2, 1.5, 0}, {14, 1.5, 1.5, 0}});
     sample.elements.push_back({9, 3, 0, 1, {3, 10, 11, 12, 13, 14}});

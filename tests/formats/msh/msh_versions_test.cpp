@@ -16,7 +16,7 @@ std::string as_json(std::string_view bytes) { return text_of(read_msh(bytes).mes
 
 MshSample small_sample() { return msh_of(disk(3, 3)); }
 
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
+std::string all_replaced(std::string text, const std::string& from, const std::string& to) {
   for (std::size_t place = 0; (place = text.find(from, place)) != std::string::npos; place += to.size())
     text.replace(place, from.size(), to);
   return text;
@@ -95,7 +95,7 @@ std::string write_parametric(const MshSample& sample, const MshKind& kind) {
     for (int p = 0; p < dimension % 3; ++p) w.put(0.25);
     w.end_row();
   }
-  return plain.substr(0, plain.find("$Nodes")) + replaced(head, "$Nodes", "$ParametricNodes") + w.out +
+  return plain.substr(0, plain.find("$Nodes")) + all_replaced(head, "$Nodes", "$ParametricNodes") + w.out +
          "\n$EndParametricNodes" + plain.substr(plain.find("$EndNodes") + 9);
 }
 
@@ -106,7 +106,7 @@ TEST_CASE("every version of a file is read as the same mesh", "[msh]") {
   const std::string expected = as_json(write_msh(sample, {}));
   CHECK(as_json(write_msh_1(sample, false)) == expected);
   CHECK(as_json(write_msh_1(sample, true)) == expected);
-  CHECK(as_json(replaced(write_msh_1(sample, false), "NOD\n", "NOE\n")) == expected);
+  CHECK(as_json(all_replaced(write_msh_1(sample, false), "NOD\n", "NOE\n")) == expected);
   for (const bool binary : {false, true})
     for (const bool swapped : {false, true}) {
       if (swapped && !binary) continue;
@@ -124,7 +124,7 @@ TEST_CASE("sections that mean nothing may stand anywhere, and unknown ones are n
     const std::string plain = write_msh(sample, kind);
     std::vector<std::string> places{comments + mine + comments + plain, plain + mine + comments};
     for (const char* before : {"$Nodes\n", "$Elements\n"})
-      places.push_back(replaced(plain, before, comments + mine + before));
+      places.push_back(all_replaced(plain, before, comments + mine + before));
     for (const std::string& bytes : places) {
       CHECK(as_json(bytes) == expected);
       CHECK(read_msh(bytes).warnings == std::vector<std::string>{"not read: $Mine"});
@@ -139,9 +139,9 @@ TEST_CASE("lines of text files may end in CR and LF, comments too", "[msh]") {
   const std::string comments = "$Comments\na comment\n$EndComments\n";
   for (const int version : {2, 4}) {
     const std::string bytes = comments + write_msh(sample, {version, false, false}) + comments;
-    CHECK(as_json(replaced(bytes, "\n", "\r\n")) == expected);
+    CHECK(as_json(all_replaced(bytes, "\n", "\r\n")) == expected);
   }
-  CHECK(as_json(replaced(write_msh_1(sample, false), "\n", "\r\n")) == expected);
+  CHECK(as_json(all_replaced(write_msh_1(sample, false), "\n", "\r\n")) == expected);
 }
 
 TEST_CASE("nodes at the same place are named", "[msh]") {

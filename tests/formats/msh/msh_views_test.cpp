@@ -4,6 +4,7 @@
 #include "formats/msh/msh.h"
 #include "formats/msh/msh_writer.h"
 #include "pliant/mesh/check_mesh.h"
+#include "support/msh_texts.h"
 #include "support/sample_meshes.h"
 
 using namespace pliant;
@@ -40,15 +41,6 @@ std::string warning(const std::string& file) {
   const MshImport import = read_msh(file);
   CHECK(check_arrays(import.mesh).empty());
   return import.warnings.empty() ? "" : import.warnings.front();
-}
-
-std::string complaint(const std::string& file) {
-  try {
-    read_msh(file);
-  } catch (const InputError& e) {
-    return e.pointer() + ": " + e.what();
-  }
-  return "none";
 }
 
 }  // namespace
@@ -188,7 +180,7 @@ TEST_CASE("a turned triangle keeps its values where they are", "[msh]") {
 }
 
 TEST_CASE("bad sections with values are refused with the line", "[msh]") {
-  const auto why = [](const std::string& data) { return complaint(linear + data); };
+  const auto why = [](const std::string& data) { return samples::complaint(linear + data); };
   const std::string good = section("NodeData", "u", 1, 4, "1 1\n2 1\n3 1\n4 1\n");
   REQUIRE(why(good) == "none");
   const auto with = [&](const std::string& from, const std::string& to) {
@@ -227,9 +219,9 @@ TEST_CASE("bad sections with values are refused with the line", "[msh]") {
   std::string bytes;
   write_msh(mesh, {MshWriteOptions::Version::v4_1, true}, bytes);
   const std::size_t data = bytes.find("$NodeData\n");
-  CHECK(complaint(bytes.substr(0, data + 100)).substr(0, 5) == "byte ");
+  CHECK(samples::complaint(bytes.substr(0, data + 100)).substr(0, 5) == "byte ");
   std::string nan = bytes;
   const std::size_t end = nan.find("\n$EndNodeData");
   nan.replace(end - 8, 8, std::string(8, '\xff'));
-  CHECK(complaint(nan).find(": expected finite values up to 1e300") != std::string::npos);
+  CHECK(samples::complaint(nan).find(": expected finite values up to 1e300") != std::string::npos);
 }

@@ -14,10 +14,10 @@ namespace {
 std::string with_members(const std::string& members) {
   return with_section("navierstokes", R"({"materials": {}, )" + members + "}");
 }
-std::string with_material(const std::string& material) {
+std::string with_fluid(const std::string& material) {
   return with_section("navierstokes", R"({"materials": {"a/b": )" + material + "}}");
 }
-std::string with_conditions(const std::string& conditions) {
+std::string with_flow_conditions(const std::string& conditions) {
   return with_members(R"("conditions": [)" + conditions + "]");
 }
 
@@ -55,7 +55,7 @@ TEST_CASE("the example of a flow on the page is read as the page says", "[format
 
 TEST_CASE("each kind of condition says whether the mesh follows, or leaves it open", "[formats][problem]") {
   using Kind = NavierStokesCondition::Kind;
-  const ProblemDocument problem = read_problem(with_conditions(
+  const ProblemDocument problem = read_problem(with_flow_conditions(
       R"({"moves": true, "curve": ["a", "b"], "traction": ["x", 1]}, {"curve": "*", "natural": true, "moves": false},
          {"curve": "c", "slip": true}, {"curve": "d", "outflow": true, "moves": false})"));
   const auto& conditions = problem.navierstokes->conditions;
@@ -71,10 +71,10 @@ TEST_CASE("each kind of condition says whether the mesh follows, or leaves it op
 
 TEST_CASE("a flow that is written, read and written again is the same, byte for byte", "[formats][problem]") {
   for (const std::string& document :
-       {example(1), with_material(R"({"viscosity": -0.0, "density": "x\ny \u00e9"})"),
+       {example(1), with_fluid(R"({"viscosity": -0.0, "density": "x\ny \u00e9"})"),
         with_members(R"("pressure": "by-face")"),
         with_members(R"("initial": ["x", 1e-300], "surface_tension": {"": 1, "a/b": "t"}, "force": [1, "2"])"),
-        with_conditions(
+        with_flow_conditions(
             R"({"curve": ["a"], "natural": true, "moves": true}, {"curve": ["a", "b"], "velocity": [1, 2]})")}) {
     CAPTURE(document);
     const std::string once = written(read_problem(document));
@@ -127,19 +127,18 @@ TEST_CASE("each fault of the section of a flow is named by its place", "[formats
   check_refused(with_members(R"("pressure": true)"), section + "/pressure", R"("by-face" or "continuous")");
 
   const std::string material = section + "/materials/a~1b";
-  check_refused(with_material("1"), material, "should be an object");
-  check_refused(with_material(R"({"density": 1})"), material, "lacks the member \"viscosity\"");
-  check_refused(with_material(R"({"viscosty": 1})"), material + "/viscosty",
+  check_refused(with_fluid("1"), material, "should be an object");
+  check_refused(with_fluid(R"({"density": 1})"), material, "lacks the member \"viscosity\"");
+  check_refused(with_fluid(R"({"viscosty": 1})"), material + "/viscosty",
                 R"(is "viscosity" meant? the members are "density" and "viscosity")");
-  check_refused(with_material(R"({"viscosity": [1, 0, 1]})"), material + "/viscosity", "a number, or an expression");
-  check_refused(with_material(R"({"viscosity": 1, "density": {}})"), material + "/density",
-                "a number, or an expression");
+  check_refused(with_fluid(R"({"viscosity": [1, 0, 1]})"), material + "/viscosity", "a number, or an expression");
+  check_refused(with_fluid(R"({"viscosity": 1, "density": {}})"), material + "/density", "a number, or an expression");
 }
 
 TEST_CASE("each fault of a condition of a flow is named by its place", "[formats][problem]") {
   const std::string at = "/navierstokes/conditions/1";
   const auto refused = [&at](const std::string& condition, const std::string& pointer, const std::string& text) {
-    check_refused(with_conditions(R"({"curve": "c", "slip": true}, )" + condition), at + pointer, text);
+    check_refused(with_flow_conditions(R"({"curve": "c", "slip": true}, )" + condition), at + pointer, text);
   };
   refused("1", "", "should be an object");
   refused(R"({"slip": true})", "", "lacks the member \"curve\"");

@@ -8,13 +8,13 @@
 namespace pliant {
 namespace {
 
-using Kind = DiffusionCondition::Kind;
+using ConditionKind = DiffusionCondition::Kind;
 
 /// Where curves let the unknown jump.
 std::vector<char> jumping_curves(const DiffusionProblem& problem) {
   std::vector<char> jumps;
   for (const int c : problem.condition_of_curve)
-    jumps.push_back(c != none && problem.conditions[index(c)].kind == Kind::jump);
+    jumps.push_back(c != none && problem.conditions[index(c)].kind == ConditionKind::jump);
   return jumps;
 }
 
@@ -34,8 +34,8 @@ DiffusionEquation::DiffusionEquation(const DiffusionProblem& problem, const Mesh
   fixed_.assign(index(space_.size()), 0);
   std::vector<int> beyond(index(mesh.degree()) + 1);
   for_each_conditioned_edge([&](HalfEdgeId h, const DiffusionCondition& condition, std::span<const int> unknowns) {
-    if (condition.kind == Kind::robin) closed_ = false;
-    if (condition.kind != Kind::value) return;
+    if (condition.kind == ConditionKind::robin) closed_ = false;
+    if (condition.kind != ConditionKind::value) return;
     closed_ = false;
     fixes_any_ = true;
     for (const int i : unknowns) fixed_[index(i)] = 1;
@@ -75,7 +75,8 @@ void DiffusionEquation::for_each_conditioned_edge(const UseEdge& use) const {
   std::vector<int> unknowns(index(mesh_.degree()) + 1);
   for (std::size_t k = problem_.conditions.size(); k-- > 0;)
     for (std::size_t c = 0; c < edges_.size(); ++c) {
-      if (problem_.condition_of_curve[c] != static_cast<int>(k) || problem_.conditions[k].kind == Kind::jump) continue;
+      if (problem_.condition_of_curve[c] != static_cast<int>(k) || problem_.conditions[k].kind == ConditionKind::jump)
+        continue;
       for (const HalfEdgeId h : edges_[c]) {
         gather_edge(h, unknowns);
         use(h, problem_.conditions[k], unknowns);
@@ -115,7 +116,7 @@ void DiffusionEquation::assemble(const Configuration& at, DiffusionSystem& syste
   EdgeTerms edge(mesh_);
   const std::size_t m = index(mesh_.degree()) + 1;
   for_each_conditioned_edge([&](HalfEdgeId h, const DiffusionCondition& condition, std::span<const int> unknowns) {
-    if (condition.kind == Kind::value) return;
+    if (condition.kind == ConditionKind::value) return;
     edge.set(at, h, condition);
     for (std::size_t i = 0; i < m; ++i) {
       system.load[index(unknowns[i])] += edge.load()[i];
@@ -147,7 +148,7 @@ void DiffusionEquation::assemble_load(const Configuration& at, std::vector<doubl
   }
   EdgeTerms edge(mesh_);
   for_each_conditioned_edge([&](HalfEdgeId h, const DiffusionCondition& condition, std::span<const int> unknowns) {
-    if (condition.kind == Kind::value) return;
+    if (condition.kind == ConditionKind::value) return;
     edge.set(at, h, condition);
     for (std::size_t i = 0; i < unknowns.size(); ++i) load[index(unknowns[i])] += edge.load()[i];
   });
@@ -186,7 +187,7 @@ void DiffusionEquation::apply(const Configuration& at, std::span<const double> v
     if (fluxes != nullptr) fluxes->add_edge(h, rate_factor, enters);
   };
   for_each_conditioned_edge([&](HalfEdgeId h, const DiffusionCondition& condition, std::span<const int> unknowns) {
-    if (condition.kind == Kind::value) return;
+    if (condition.kind == ConditionKind::value) return;
     edge.set(at, h, condition);
     trace(h, here);
     for (std::size_t i = 0; i < m; ++i) {

@@ -21,7 +21,7 @@ using Kind = FlowCondition::Kind;
 /// quadrature.
 constexpr double greatest_net_flux = 1e-6;
 /// What glides along its boundary crosses it by the rounding of places, by this part of what glides.
-constexpr double greatest_rounding = 1e-10;
+constexpr double greatest_net_rounding = 1e-10;
 
 constexpr int most_sweeps = 100;  // over parts that share walls
 
@@ -98,7 +98,8 @@ void VelocityUnknowns::correct_fluxes(const Configuration& at, std::span<double>
   const double unit = mesh_.boundary().unit;
   const std::vector<Balance> balances = balance_fluxes(at);
   for (const Balance& balance : balances) {
-    if (std::abs(balance.given) <= std::max(greatest_net_flux * balance.crossing, greatest_rounding * balance.passing))
+    if (std::abs(balance.given) <=
+        std::max(greatest_net_flux * balance.crossing, greatest_net_rounding * balance.passing))
       continue;
     std::ostringstream text;
     text << "the velocity is given on the whole "

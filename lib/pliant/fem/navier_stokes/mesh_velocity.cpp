@@ -19,7 +19,7 @@ namespace pliant {
 namespace {
 
 /// Four right-hand sides (velocity and acceleration, two components each) pay for factors, while there is memory.
-constexpr int largest_direct = 1'000'000;
+constexpr int largest_direct_motion = 1'000'000;
 
 /// The polygons of the edges on curves of one motion. `in_edges`: distances are measured in buffer widths; else in
 /// lengths of the mesh.
@@ -117,7 +117,7 @@ void MeshVelocity::prepare_harmonic(const Mesh& mesh) {
       if (i != j && (is_given_[index(points_[index(i)])] != 0 || is_given_[index(points_[index(j)])] != 0))
         matrix_.values[index(k)] = 0;
     }
-  if (space.size() <= largest_direct) {
+  if (space.size() <= largest_direct_motion) {
     solver_ = make_direct_symmetric();
   } else {
     std::vector<int> nets = space.unknowns();

@@ -16,7 +16,7 @@ namespace {
 using Row = Eigen::Vector3d;
 
 constexpr double tolerance = 1e-13;  // a constraint that is violated by less holds; a multiplier below it is 0
-constexpr int most_steps = 200;
+constexpr int most_pivots = 200;
 
 /// The constraints row . (x, y, value) <= limit: one for each function, then one for each side of the square.
 class Constraints {
@@ -128,7 +128,7 @@ AffineOptimum maximise_least(std::span<const AffineFunction> functions, double r
     z = basis.vertex();
     shares = basis.shares_of(Row::UnitZ());
     const int entering = constraints.most_violated(z);
-    if (entering < 0 || steps == most_steps) break;
+    if (entering < 0 || steps == most_pivots) break;
     const std::array<double, 3> mixture = basis.shares_of(constraints.row(entering));
     std::size_t leaving = 3;
     double ratio = std::numeric_limits<double>::infinity();

@@ -21,9 +21,9 @@ namespace {
 using Outcome = Placement::Outcome;
 using Program = Placement::Program;
 
-constexpr int most_rounds = 60;        // rounds of cuts
-constexpr int plain_rounds = 6;        // rounds that cut at the optimum only; later ones also cut on the way to it
-constexpr double least_width = 5e-11;  // a value this close to the bound of the optimum is always good enough
+constexpr int most_rounds = 60;         // rounds of cuts
+constexpr int plain_rounds = 6;         // rounds that cut at the optimum only; later ones also cut on the way to it
+constexpr double close_enough = 5e-11;  // a value this close to the bound of the optimum is always good enough
 
 /// tau as a function of the place q, where the Jacobian's columns (along xi2 and xi3) are fixed + q * rate. Empty if
 /// tau changes by less than rounding over the whole star.
@@ -152,7 +152,7 @@ Placement improve_elements(PlacementStar& star, const Point& start, double accur
   for (int round = 0; round < most_rounds && !shapes.functions.empty(); ++round) {
     const auto optimum = maximise_least(shapes.functions, basis);
     if (!optimum) break;
-    const double most = std::min(basis.value, shapes.cap), width = std::max(accuracy * most, least_width);
+    const double most = std::min(basis.value, shapes.cap), width = std::max(accuracy * most, close_enough);
     if (most <= to_beat || (best.outcome == Outcome::placed && most <= best.value + width)) break;
     const Point place = star.world(optimum->place);
     const ShapeBounds there = look_at(place);
@@ -196,7 +196,7 @@ Placement improve_control_mesh(PlacementStar& star, const Point& start) {
   Placement best{star.is_certified(start) ? Outcome::placed : Outcome::stuck, start, least(start), Program::shape};
   DiskBasis basis;
   const auto optimum = maximise_least(functions, basis);
-  if (!optimum || (best.outcome == Outcome::placed && optimum->value <= best.value + least_width)) return best;
+  if (!optimum || (best.outcome == Outcome::placed && optimum->value <= best.value + close_enough)) return best;
   const Point goal = star.world(optimum->place);
   if (star.is_certified(goal)) return {Outcome::placed, goal, least(goal), Program::shape};
   // Elements may be tangled at the goal although their control triangles are not. Then the goal is approached from a

@@ -33,7 +33,7 @@ struct RatioMean {
   static void align(Ratio&, int) {}
 };
 
-struct Piece {
+struct DomainPiece {
   double lower;              ///< a lower bound of tau on the piece
   std::size_t coefficients;  ///< the index of its first coefficient
   std::array<Barycentric, 3> corners;
@@ -88,7 +88,7 @@ class Enclosure {
       const double lower = pieces_.front().lower;
       if (size_ == 1 || upper_ - lower <= std::max(relative_width * std::fabs(upper_), least_width)) break;
       std::pop_heap(pieces_.begin(), pieces_.end(), later);
-      const Piece parent = pieces_.back();
+      const DomainPiece parent = pieces_.back();
       pieces_.pop_back();
       const std::size_t left = coefficients_.size(), right = left + size_;
       coefficients_.resize(right + size_);
@@ -103,9 +103,9 @@ class Enclosure {
   }
 
  private:
-  static bool later(const Piece& a, const Piece& b) { return a.lower > b.lower; }
+  static bool later(const DomainPiece& a, const DomainPiece& b) { return a.lower > b.lower; }
 
-  void add(Piece piece) {
+  void add(DomainPiece piece) {
     const Ratio* first = coefficients_.data() + piece.coefficients;
     piece.lower = 1;
     for (std::size_t i = 0; i < size_; ++i) {
@@ -130,7 +130,7 @@ class Enclosure {
   int degree_ = 0;
   std::size_t size_ = 1;
   std::vector<Ratio> coefficients_, row_;
-  std::vector<Piece> pieces_;
+  std::vector<DomainPiece> pieces_;
   double error_ = 0;
   double upper_ = 0;
   Barycentric worst_{};

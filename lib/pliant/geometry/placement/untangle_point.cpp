@@ -16,9 +16,9 @@
 namespace pliant {
 namespace {
 
-constexpr double reach = 4;          // how far from the middle of the star places are sought, in its half extents
-constexpr int most_rounds = 80;      // rounds of cuts
-constexpr double proof_gap = 1e-11;  // more than rounding can change a coefficient of the order of 1
+constexpr double reach = 4;  // how far from the middle of the star places are sought, in its half extents
+constexpr int most_untangling_rounds = 80;  // rounds of cuts
+constexpr double proof_gap = 1e-11;         // more than rounding can change a coefficient of the order of 1
 
 /// How bisect_net takes means of affine functions.
 struct AffineMean {
@@ -154,7 +154,7 @@ Placement untangle_elements(PlacementStar& star, const Point& start, std::size_t
   jacobians.start(star);
   const Point near = star.local(start) - star.middle();
   Placement best{Placement::Outcome::stuck, start, -1, area};
-  for (int round = 0; round < most_rounds; ++round) {
+  for (int round = 0; round < most_untangling_rounds; ++round) {
     const AffineOptimum optimum = maximise_least(jacobians.functions(), reach * star.half(), near);
     const Point place = star.world(star.middle() + optimum.place);
     if (round == 0 || optimum.value > best.value) {
@@ -167,7 +167,8 @@ Placement untangle_elements(PlacementStar& star, const Point& start, std::size_t
     if ((is_milestone || optimum.value > 0) && star.is_certified(place))
       return {Placement::Outcome::placed, place, optimum.value, area};
     find_tight(jacobians, optimum, tight);
-    const bool is_last = tight.empty() || jacobians.pieces() + tight.size() > most_pieces || round + 1 == most_rounds;
+    const bool is_last =
+        tight.empty() || jacobians.pieces() + tight.size() > most_pieces || round + 1 == most_untangling_rounds;
     if ((is_milestone || is_last) && is_hopeless(jacobians)) {
       best.outcome = Placement::Outcome::hopeless;
       return best;

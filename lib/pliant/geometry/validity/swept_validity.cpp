@@ -28,7 +28,7 @@ struct SweptJacobian {
   std::array<std::array<double, max_jacobian_size>, 3> coefficients;
 };
 
-struct Partials {
+struct FloatPartials {
   std::array<Vector, max_partials> along_2, along_3;
 };
 
@@ -47,15 +47,15 @@ struct SizedSum {
 bool sweep(int degree, std::span<const Point> from, std::span<const Point> to, SweptJacobian& result) {
   const JacobianTerms& terms = JacobianTerms::of(degree);
   const std::size_t count = terms.partials.size();
-  Partials a;
-  Partials b;
+  FloatPartials a;
+  FloatPartials b;
   partial_differences(terms, from, a.along_2, a.along_3);
   partial_differences(terms, to, b.along_2, b.along_3);
   const double greatest =
       std::max(greatest_component(std::span(a.along_2).first(count), std::span(a.along_3).first(count)),
                greatest_component(std::span(b.along_2).first(count), std::span(b.along_3).first(count)));
   if (!std::isfinite(greatest)) return false;
-  for (Partials* p : {&a, &b})
+  for (FloatPartials* p : {&a, &b})
     normalise_differences(std::span(p->along_2).first(count), std::span(p->along_3).first(count), greatest);
 
   result.degree = jacobian_degree(degree);

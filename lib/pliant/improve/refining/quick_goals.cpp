@@ -13,8 +13,8 @@
 namespace pliant {
 namespace {
 
-constexpr double margin = 1e-9;     // relative, for the least angle: squares and roots differ by some 1e-15
-constexpr double rounding = 1e-12;  // of areas, in squared lengths: both ways to compute them differ by some 1e-14
+constexpr double angle_margin = 1e-9;  // relative, for the least angle: squares and roots differ by some 1e-15
+constexpr double rounding = 1e-12;     // of areas, in squared lengths: both ways to compute them differ by some 1e-14
 
 }  // namespace
 
@@ -22,7 +22,7 @@ QuickGoals::QuickGoals(const Mesh& mesh, const QualityGoals& goals) : mesh_(mesh
   for (FaceId f = 0; f < static_cast<FaceId>(mesh.boundary().faces.size()); ++f)
     area_bounds_.push_back(goals.area_bound(f));
   const double sine = std::sin(goals.min_angle * std::numbers::pi / 180);
-  if (goals.min_angle > 0) squared_sine_ = sine * sine * (1 + margin);
+  if (goals.min_angle > 0) squared_sine_ = sine * sine * (1 + angle_margin);
   bounds_turning_ = goals.max_turning < HUGE_VAL && mesh.degree() > 1;
   if (bounds_turning_) least_cosine_ = std::cos(std::min(goals.max_turning / (mesh.degree() - 1), std::numbers::pi));
   bounds_resolution_ = goals.resolution < HUGE_VAL;

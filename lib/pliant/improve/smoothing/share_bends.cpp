@@ -12,7 +12,7 @@ namespace pliant {
 namespace {
 
 constexpr double gain = 0.02;  // a change is kept if it closes this share of the gap between the scaled Jacobian and 1
-constexpr int most_rounds = 6;
+constexpr int most_sharing_rounds = 6;
 
 double scaled_jacobian_of(const Mesh& mesh, TriangleId t) {
   std::array<Point, net_size(max_degree)> net;
@@ -63,7 +63,7 @@ ShareCounts share_bends(Mesh& mesh, double good, const RefitOptions& options) {
     for (int e = 0; e < 3; ++e) is_on_curve = is_on_curve || mesh.is_constrained(half_edge(t, e));
     if (is_on_curve) work.push_back(t);
   }
-  for (int round = 0; round < most_rounds && !work.empty(); ++round) {
+  for (int round = 0; round < most_sharing_rounds && !work.empty(); ++round) {
     touched.clear();
     for (const TriangleId t : work) {
       if (scaled_jacobian_of(mesh, t) >= good) continue;

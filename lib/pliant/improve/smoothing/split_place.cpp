@@ -16,10 +16,10 @@
 namespace pliant {
 namespace {
 
-constexpr double balanced = 0.02;  // the middle of the parameter will do if the halves differ by at most this share
-constexpr int most_steps = 8;      // steps of a place towards an end
+constexpr double balanced = 0.02;    // the middle of the parameter will do if the halves differ by at most this share
+constexpr int most_place_steps = 8;  // steps of a place towards an end
 constexpr double least_bend_of_gap = 0.25;  // two edges are split together if one bends by this share of their distance
-constexpr double least_part = 0.1;  // a place on a shell leaves at least this share of the parameter on each side
+constexpr double least_share = 0.1;  // a place on a shell leaves at least this share of the parameter on each side
 
 Point point_on(std::span<const double> polygon, int degree, double s) {
   std::array<double, 2> value;
@@ -97,7 +97,7 @@ double balanced_place(const Mesh& mesh, HalfEdgeId h, const SharpCorners& corner
     // The radii of shells are powers of two; this one lies between 1/3 and 2/3 of the chord.
     const double radius = std::exp2(std::floor(std::log2(distance(a, b) * (2.0 / 3))));
     const double s = at_radius(polygon, p, apex, radius);
-    if (s > least_part && s < 1 - least_part) return s;
+    if (s > least_share && s < 1 - least_share) return s;
   }
   const auto unbalance = [&](const Point& x) { return distance(a, x) - distance(x, b); };
   if (std::fabs(unbalance(point_on(polygon, p, 0.5))) <= balanced * distance(a, b)) return 0.5;
@@ -114,12 +114,12 @@ double split_place(const Mesh& mesh, HalfEdgeId h, const SharpCorners& corners) 
   // curves bend by more than they are apart, only then are their chords in the order of the curves.
   if (const SharpCorners::Mirror mirror = corners.mirror(mesh, h); mirror.corner != none) {
     const double s = at_radius(polygon, p, mesh.point(mirror.corner), mirror.radius);
-    if (s > least_part && s < 1 - least_part) return s;
+    if (s > least_share && s < 1 - least_share) return s;
   }
   const double place = balanced_place(mesh, h, corners, polygon);
   if (p == 1 || find_partner(mesh, h, corners, place)) return place;
   double s = place;
-  for (int step = 0; step < most_steps; ++step) {
+  for (int step = 0; step < most_place_steps; ++step) {
     const Point x = point_on(polygon, p, s);
     bool first = turns_over(mesh, h, x, true), second = turns_over(mesh, h, x, false);
     if (const HalfEdgeId g = mesh.twin(h); g != none) {
@@ -157,7 +157,7 @@ SplitPartner find_partner(const Mesh& mesh, HalfEdgeId h, const SharpCorners& co
           if (!mesh.is_constrained(beside)) continue;
           const PointId a = mesh.origin(beside), b = mesh.target(beside);
           const auto [near, far] = std::minmax({distance(apex, mesh.point(a)), distance(apex, mesh.point(b))});
-          const double margin = least_part * (far - near);
+          const double margin = least_share * (far - near);
           if (radius < near + margin || radius > far - margin) continue;
           if (std::max(height_over_chord(mesh, h), height_over_chord(mesh, beside)) <
               least_bend_of_gap * gap_at(mesh, beside, apex, x))

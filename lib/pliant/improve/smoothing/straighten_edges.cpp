@@ -10,7 +10,7 @@
 namespace pliant {
 namespace {
 
-constexpr int most_rounds = 4;
+constexpr int most_straightening_rounds = 4;
 
 /// Is an edge straight up to rounding? Its control points are off by less than 1e-14 of its length, or by at most four
 /// units in the last place of its coordinates.
@@ -35,7 +35,7 @@ StraightenCounts straighten_edges(Mesh& mesh, const RefitOptions& options) {
     if (!is_straight(mesh, h)) curved.push_back(h);
   }
   StraightenCounts counts;
-  for (int round = 0; round < most_rounds && !curved.empty(); ++round) {
+  for (int round = 0; round < most_straightening_rounds && !curved.empty(); ++round) {
     std::vector<HalfEdgeId> left;
     for (const HalfEdgeId h : curved) {
       if (straighten_edge(mesh, h, 0, options) == Outcome::done)

@@ -5,7 +5,6 @@
 #include <cassert>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <numbers>
 
 #include "pliant/geometry/bernstein.h"
@@ -14,11 +13,10 @@
 #include "pliant/geometry/spline/turning_angle.h"
 #include "pliant/geometry/validity/bernstein_range.h"
 #include "pliant/quality/element/element_forms.h"
+#include "pliant/quality/nan.h"
 
 namespace pliant {
 namespace {
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 double any_turning(int degree, std::span<const Point> net) {
   const NetLayout& layout = NetLayout::of(degree);

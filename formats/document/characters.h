@@ -1,13 +1,19 @@
-// formats/document/utf8.h: text of documents: is it UTF-8, and what name does a step of a JSON pointer stand for?
+// formats/document/characters.h: bytes and characters of documents: digits and white space, whatever the locale; UTF-8;
+// names in JSON pointers.
 #pragma once
 #include <string>
 #include <string_view>
 
 namespace pliant {
 
+constexpr unsigned byte_of(char c) { return static_cast<unsigned char>(c); }
+constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
+constexpr bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
+/// The white space of JSON, and of MSH files.
+constexpr bool is_space(char c) { return c == ' ' || c == '\n' || c == '\t' || c == '\r'; }
+
 /// Behind the character of several bytes that starts at `p`; null if it is no UTF-8.
 inline const char* skip_utf8(const char* p, const char* end) {
-  const auto byte_of = [](char c) { return static_cast<unsigned>(static_cast<unsigned char>(c)); };
   const unsigned lead = byte_of(*p);
   const int more = lead >= 0xF0 ? 3 : lead >= 0xE0 ? 2 : 1;
   bool right = lead >= 0xC2 && lead <= 0xF4 && end - p > more;
@@ -24,7 +30,7 @@ inline const char* skip_utf8(const char* p, const char* end) {
 inline const char* find_no_utf8(std::string_view text) {
   const char* const end = text.data() + text.size();
   for (const char* p = text.data(); p != end;) {
-    const char* const next = static_cast<unsigned char>(*p) < 0x80 ? p + 1 : skip_utf8(p, end);
+    const char* const next = byte_of(*p) < 0x80 ? p + 1 : skip_utf8(p, end);
     if (next == nullptr) return p;
     p = next;
   }
