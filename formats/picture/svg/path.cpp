@@ -12,6 +12,7 @@ namespace pliant {
 namespace {
 
 constexpr int max_path_halvings = 16;
+constexpr double path_rounding = 0x1p-46;  // of a distance of control points, as a part of the greatest coordinate
 
 std::vector<double> coordinates(const std::vector<Point>& polygon) {
   std::vector<double> rows;
@@ -103,7 +104,9 @@ SvgPath& SvgPath::curve_to(const std::vector<Point>& polygon) {
 
 void SvgPath::cubics(const std::vector<double>& polygon, int depth) {
   const std::vector<double> cubic = hermite_cubic(polygon);
-  if (depth >= max_path_halvings || distance_bound(polygon, cubic) <= tolerance_) {
+  double reach = 0;
+  for (const double x : polygon) reach = std::max(reach, std::abs(x));
+  if (depth >= max_path_halvings || distance_bound(polygon, cubic) <= std::max(tolerance_, path_rounding * reach)) {
     text("C").point({cubic[2], cubic[3]}).text(" ").point({cubic[4], cubic[5]}).text(" ").point({cubic[6], cubic[7]});
     return;
   }

@@ -3,6 +3,7 @@
 
 #include "formats/picture/mesh_edges.h"
 #include "pliant/geometry/control_net.h"
+#include "pliant/geometry/net_layout.h"
 
 namespace pliant {
 namespace {
@@ -35,11 +36,31 @@ std::vector<Point> points_of(const std::vector<double>& rows) {
   return points;
 }
 
+/// The straight curve between the ends.
+std::vector<Point> straight(std::vector<Point> polygon) {
+  const Point from = polygon.front(), to = polygon.back();
+  const double last = double(polygon.size()) - 1;
+  for (std::size_t k = 0; k < polygon.size(); ++k) polygon[k] = from + double(k) / last * (to - from);
+  return polygon;
+}
+
+/// The straight triangle between the corners.
+std::vector<Point> straight_net(int degree, std::vector<Point> net) {
+  const NetLayout& layout = NetLayout::of(degree);
+  const Point a = net[0], b = net[1], c = net[2];
+  for (int n = 0; n < layout.size(); ++n) {
+    const auto [i, j, k] = layout.exponents(n);
+    net[static_cast<std::size_t>(n)] = a + (double(j) * (b - a) + double(k) * (c - a)) / degree;
+  }
+  return net;
+}
+
 void for_shown_parts(const Drawing& drawing, const std::vector<Point>& polygon,
                      const std::function<void(const std::vector<Point>&)>& use, int generation) {
   const Box hull = hull_of(polygon);
   if (!overlaps(drawing, hull)) return;
-  if (!is_too_large(drawing, hull) || generation == last_generation) return use(polygon);
+  if (!is_too_large(drawing, hull)) return use(polygon);
+  if (generation == last_generation) return use(straight(polygon));
   const std::vector<double> rows = rows_of(polygon);
   std::vector<double> left(rows.size()), right(rows.size());
   split_polygon(static_cast<int>(polygon.size()) - 1, 2, rows, 0.5, left, right);
@@ -69,7 +90,8 @@ void ElementPieces::for_shown(const Corners& corners, const Use& use, int genera
   const std::vector<Point> net = points_of(piece_rows_);
   const Box hull = hull_of(net);
   if (!overlaps(drawing_, hull)) return;
-  if (!is_too_large(drawing_, hull) || generation == last_generation) return use(corners, net);
+  if (!is_too_large(drawing_, hull)) return use(corners, net);
+  if (generation == last_generation) return use(corners, straight_net(drawing_.mesh.degree, net));
   const Barycentric ab = middle(a, b), bc = middle(b, c), ca = middle(c, a);
   for (const Corners& quarter : {Corners{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}})
     for_shown(quarter, use, generation + 1);

@@ -17,7 +17,8 @@ bool is_shown(const Drawing& drawing, std::span<const Point> points);
 bool is_drawn_whole(const Drawing& drawing, std::span<const Point> points);
 
 /// Calls `use` with the parts of a Bézier curve of which something may be shown: the curve itself, or halves of halves
-/// of it that are drawn whole. Halves of the 48th generation are not halved: they are as long as rounding moves points.
+/// of it that are drawn whole. Halves of the 48th generation are drawn straight and are not halved: rounding has
+/// moved their points by as much as they bend.
 void for_shown_parts(const Drawing& drawing, const std::vector<Point>& polygon,
                      const std::function<void(const std::vector<Point>&)>& use);
 
@@ -31,7 +32,7 @@ class ElementPieces {
 
   ElementPieces(const Drawing& drawing, TriangleId t);
   /// Calls `use` with the parts of a piece of which something may be shown: the piece itself, or quarters of quarters
-  /// of it that are drawn whole, or of the 48th generation.
+  /// of it that are drawn whole, or straight ones of the 48th generation.
   void for_shown(const Corners& corners, const Use& use) { for_shown(corners, use, 0); }
 
  private:
