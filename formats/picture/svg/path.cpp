@@ -23,7 +23,8 @@ std::vector<double> coordinates(const std::vector<Point>& polygon) {
 /// The cubic that has the ends and the end derivatives of the curve with this control polygon.
 std::vector<double> hermite_cubic(const std::vector<double>& polygon) {
   const std::size_t n = polygon.size();
-  const double pull = double(n / 2 - 1) / 3;
+  const std::size_t degree = n / 2 - 1;
+  const double pull = double(degree) / 3;
   std::vector<double> cubic;
   for (std::size_t c = 0; c < 2; ++c) cubic.push_back(polygon[c]);
   for (std::size_t c = 0; c < 2; ++c) cubic.push_back(polygon[c] + pull * (polygon[2 + c] - polygon[c]));

@@ -171,7 +171,7 @@ TEST_CASE("a picture from very near holds nothing that is far larger than it", "
           for (std::size_t k = 0; k + 1 < d.size(); k += 2) CHECK(distance({d[k], -d[k + 1]}, center) < 200 * width);
         }
         CHECK(paths >= 3);
-        const std::size_t from = drawn.find("M", drawn.find(" d=", drawn.find(name)));
+        const std::size_t from = drawn.find('M', drawn.find(" d=", drawn.find(name)));
         const std::string piece = drawn.substr(from, drawn.find_first_of("M\"Z", from + 1) - from);
         const std::vector<double> d = samples::numbers(piece);
         REQUIRE(d.size() >= 4);
