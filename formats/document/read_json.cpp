@@ -7,6 +7,7 @@
 #include "formats/document/characters.h"
 
 namespace pliant {
+
 // -- faults
 
 DocumentPlace JsonReader::place_of(const std::string& pointer) const {

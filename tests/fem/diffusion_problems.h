@@ -15,9 +15,6 @@
 
 namespace pliant::samples {
 
-/// The names of the curves of mapped squares (support/mapped_meshes.h).
-inline const char* const square_sides[] = {"south", "east", "north", "west"};
-
 using Formula = std::function<double(double x, double y, double t)>;
 
 inline Coefficient coefficient(Formula formula, std::string name = "formula") {

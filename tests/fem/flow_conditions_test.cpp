@@ -129,7 +129,7 @@ TEST_CASE("walls hold what interfaces that end on them pull", "[navier_stokes]")
   problem.materials[1].viscosity = Coefficient(5);
   problem.force = {coefficient([](const Point& x, double) { return 2 * x.x; }), Coefficient(-3)};
   problem.tensions[index(curve_named(mesh, "middle"))] = Coefficient(7);
-  set_velocity(problem, mesh, {"south", "east", "north", "west"}, zero, zero);
+  set_velocity(problem, mesh, square_sides, zero, zero);
   NavierStokes flow(problem, mesh, {});
   flow.initialise();
   mesh.time = 0.1;
@@ -198,7 +198,7 @@ TEST_CASE("two triangles between walls are refused with a word", "[navier_stokes
   Mesh mesh(mapped_square(degree, 1, as_it_is));
   FlowProblem problem = flow_problem(mesh, density, 1);
   problem.force = {coefficient([](const Point& x, double) { return x.y; }), Coefficient(-3)};
-  set_velocity(problem, mesh, {"south", "east", "north", "west"}, zero, zero);
+  set_velocity(problem, mesh, square_sides, zero, zero);
   NavierStokes flow(problem, mesh, {.by_splines = false});
   CHECK_THROWS_WITH(flow.solve_steady(), Catch::Contains("face \"domain\" has 2 triangles between walls"));
   CHECK_THROWS_WITH(flow.initialise(), Catch::Contains("3 or more"));

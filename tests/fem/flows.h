@@ -12,9 +12,6 @@
 
 namespace pliant::samples {
 
-/// The names of the curves of mapped squares (support/mapped_meshes.h), and the map of a square that stays one.
-inline const std::vector<std::string> sides{"south", "east", "north", "west"};
-inline Point as_it_is(double x, double y) { return {x, y}; }
 inline double zero(const Point&, double) { return 0; }
 
 using Scalar = std::function<double(const Point&, double time)>;

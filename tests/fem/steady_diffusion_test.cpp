@@ -21,7 +21,7 @@ TEST_CASE("linear functions are reproduced on curved elements of any degree", "[
                      [](double, double, double) { return 3.0; }, [](double, double, double) { return -5.0; }};
   DiffusionProblem problem = plain_problem(mesh.boundary());
   problem.materials[0].diffusivity = {Coefficient(2), Coefficient(0.5), Coefficient(1)};
-  for (const char* side : square_sides)
+  for (const std::string& side : square_sides)
     add_condition(problem, mesh.boundary(), side, Kind::value, coefficient(linear.value));
   Diffusion diffusion(problem, mesh, {});
   diffusion.solve_steady();
@@ -67,7 +67,7 @@ TEST_CASE("steady errors fall with order p + 1 in L2 and p in H1 on curved famil
     Mesh mesh(mapped_square(p, n, bend));
     DiffusionProblem problem = plain_problem(mesh.boundary());
     problem.materials[0].source = coefficient(source);
-    for (const char* side : square_sides)
+    for (const std::string& side : square_sides)
       add_condition(problem, mesh.boundary(), side, Kind::value, coefficient(exact.value));
     Diffusion diffusion(problem, mesh, {});
     diffusion.solve_steady();

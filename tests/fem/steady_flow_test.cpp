@@ -50,7 +50,7 @@ TEST_CASE("Kovasznay's flow converges with order p + 1, its pressure with order 
   for (const int n : {6, 12}) {
     Mesh mesh(mapped_square(degree, n, bend));
     FlowProblem problem = flow_problem(mesh, 1, 1 / reynolds);
-    set_velocity(problem, mesh, sides, kovasznay_x, kovasznay_y);
+    set_velocity(problem, mesh, square_sides, kovasznay_x, kovasznay_y);
     NavierStokes flow(problem, mesh, {.by_splines = false});
     flow.solve_steady();
     velocity.push_back(error_of(mesh, "velocity", 0, kovasznay_x));
@@ -100,7 +100,7 @@ TEST_CASE("factors without pivots solve flows with convection as factors with pi
   const double viscosity = GENERATE(1.0, 1e-2, 1e-4);
   Mesh mesh(mapped_square(degree, 5, bend));
   FlowProblem problem = flow_problem(mesh, 1, viscosity);
-  set_velocity(problem, mesh, sides, kovasznay_x, kovasznay_y);
+  set_velocity(problem, mesh, square_sides, kovasznay_x, kovasznay_y);
   const FlowEquation equation(problem, mesh, false);
   const Configuration at{mesh.points(), 0};
   std::vector<double> given(2 * index(mesh.point_slots())), load;

@@ -65,7 +65,7 @@ TEST_CASE("steps have their order in time, at rest and on a mesh that moves", "[
       return wave_source(x, y, t, moves ? turn({x, y}, t) : Vector{});
     });
     problem.initial[0] = coefficient(wave.value);
-    for (const char* side : square_sides)
+    for (const std::string& side : square_sides)
       add_condition(problem, mesh.boundary(), side, Kind::value, coefficient(wave.value));
     DiffusionOptions options;
     options.scheme = scheme;

@@ -49,7 +49,7 @@ void take_step(const FlowProblem& problem, Mesh& mesh, const FlowOptions& option
 
 FlowProblem vortex_problem(const Mesh& mesh) {
   FlowProblem problem = flow_problem(mesh, 1, viscosity);
-  set_velocity(problem, mesh, sides, vortex_x, vortex_y);
+  set_velocity(problem, mesh, square_sides, vortex_x, vortex_y);
   problem.initial = {coefficient(vortex_x), coefficient(vortex_y)};
   problem.force = {coefficient([](const Point& x, double t) { return pull(t) * shape_x(x); }),
                    coefficient([](const Point& x, double t) { return pull(t) * shape_y(x); })};

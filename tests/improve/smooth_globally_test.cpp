@@ -16,7 +16,7 @@ using namespace pliant::improve_meshes;
 
 namespace {
 
-Mesh refined_disk(const Sample& sample, int degree, int elements) {
+Mesh refined_sample(const Sample& sample, int degree, int elements) {
   Mesh mesh = mesh_of(sample.boundary, degree);
   RefineOptions options;
   options.goals.emplace();
@@ -149,7 +149,7 @@ TEST_CASE("a swirled mesh becomes valid and better, and its curves and vertices 
   for (const Sample& sample : boundaries(degree)) {
     for (const double strength : {0.2, 0.6}) {
       CAPTURE(degree, sample.name, strength);
-      const Mesh first = refined_disk(sample, degree, degree == 2 ? 300 : 100);
+      const Mesh first = refined_sample(sample, degree, degree == 2 ? 300 : 100);
       Mesh mesh(swirled(first, strength));
       const Mesh tangled = mesh;
       const std::size_t invalid = find_invalid(mesh).invalid.size();
@@ -255,7 +255,7 @@ TEST_CASE("fields that are linear stay so, and integrals of others are kept", "[
   const int degree = GENERATE(2, 3);
   for (const Sample& sample : boundaries(degree)) {
     CAPTURE(degree, sample.name);
-    const Mesh first = refined_disk(sample, degree, 100);
+    const Mesh first = refined_sample(sample, degree, 100);
     MeshData data = swirled(first, 0.1);
     data.fields.clear();
     add_fields(data);
@@ -284,7 +284,7 @@ TEST_CASE("the result does not depend on unit, place and direction, but for roun
   const int degree = GENERATE(2, 3);
   // Untangling magnifies rounding: then results may differ by 1e-4 of the mesh's size, 1e-3 of an element's.
   const double strength = GENERATE(0.2, 0.6);
-  MeshData data = swirled(refined_disk({"annulus", samples::annulus(degree)}, degree, 150), strength);
+  MeshData data = swirled(refined_sample({"annulus", samples::annulus(degree)}, degree, 150), strength);
   data.fields.clear();
   const double unit = GENERATE(17.0, 1e7, 1e-7);
   CAPTURE(degree, unit, strength);

@@ -12,6 +12,10 @@ namespace pliant::samples {
 
 using Map = std::function<Point(double x, double y)>;
 
+/// The map of a square that stays as it is, and the names of its curves.
+inline Point as_it_is(double x, double y) { return {x, y}; }
+inline const std::vector<std::string> square_sides{"south", "east", "north", "west"};
+
 /// The unit square divided into n x n cells of two triangles of degree p, each of which interpolates the map at its
 /// nodes: a family in n whose second derivatives with respect to barycentric coordinates fall with 1 / n^2. With
 /// `divided` (n even) there are two faces, "left" and "right" of the curve "middle", x = 1/2; else one, "domain". The

@@ -13,8 +13,6 @@
 namespace pliant {
 namespace {
 
-constexpr double range_width = 1e-3;  // relative width of the bounds of det J: the default of the quality report
-
 /// True if the coefficients of the two forms show that the element is better than this in both measures.
 bool is_surely_better(const ElementForms& forms, const LeastQuality& than) {
   if (!forms.is_finite || forms.is_point) return false;
@@ -29,7 +27,7 @@ bool is_surely_better(const ElementForms& forms, const LeastQuality& than) {
 
 LeastQuality quality_of(const ElementForms& forms) {
   if (!forms.is_finite) return {-1, -1};
-  return {curved_shape(forms), scaled_jacobian(forms, jacobian_range(forms, range_width))};
+  return {curved_shape(forms), scaled_jacobian(forms, jacobian_range(forms, usual_range_width))};
 }
 
 }  // namespace

@@ -15,8 +15,7 @@
 namespace pliant {
 namespace {
 
-constexpr double margin = 1e-9;              // what is_surely_fine proves holds with this relative margin for rounding
-constexpr double excess_range_width = 1e-3;  // relative width of the bounds of det J: the same as in scaled_jacobian
+constexpr double margin = 1e-9;  // what is_surely_fine proves holds with this relative margin for rounding
 constexpr double worst_valid = 0.999 * tangled_excess;  // the excess of a certified element is at most this
 
 /// The largest turning of the edges that are not fixed.
@@ -89,7 +88,7 @@ double CurvatureTest::excess(std::span<const Point> net, unsigned fixed) const {
   const auto [least, most] = std::minmax_element(forms.jacobian.begin(), forms.jacobian.begin() + forms.size());
   // The coefficients bound the scaled Jacobian. If another measure is worse even so, closer bounds are not needed.
   if (*least * worst >= bounds_.min_scaled_jacobian * *most) return std::min(worst, worst_valid);
-  const double scaled = scaled_jacobian(forms, jacobian_range(forms, excess_range_width));
+  const double scaled = scaled_jacobian(forms, jacobian_range(forms, usual_range_width));
   if (!(scaled > 0)) return worst_valid;
   return std::min(std::max(worst, bounds_.min_scaled_jacobian / scaled), worst_valid);
 }

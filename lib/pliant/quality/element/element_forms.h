@@ -51,6 +51,8 @@ struct FormRange {
   Bounds least, greatest;
 };
 FormRange jacobian_range(const ElementForms& forms, double relative_width);
+/// The width where none is asked for: the default of QualityOptions::jacobian_width.
+inline constexpr double usual_range_width = 1e-3;
 double scaled_jacobian(const ElementForms& forms, const FormRange& range);
 
 /// The angle in [0, pi] whose sine and cosine are these, up to a common factor. Most edges turn so little that the
