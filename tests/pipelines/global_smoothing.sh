@@ -12,6 +12,13 @@ same out disk.json
 run 0 smoothcurves_without_ceres --version
 if grep -q GPL out || grep -q 'General Public' out; then fail "a licence that is not needed: $(cat out)"; fi
 
+# Nor has evolve it, whose steps are run in one process: it names the tool that has.
+if has_tool evolve; then
+  run 2 evolve 'smoothcurves --global' --steps 1 disk.json
+  no_output
+  says 'smoothcurves has it'
+fi
+
 smoothcurves --version | grep -q 'General Public License' || exit 77  # this build is without, too
 for option in '--good 0' '--good 1.1' '--good nan' '--rings -1'; do
   run 2 smoothcurves --global $option disk.json

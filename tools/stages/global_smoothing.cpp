@@ -33,7 +33,9 @@ void GlobalSmoothing::check(const CLI::App& app) {
     if (app.get_option(local)->count() > 0)
       throw UsageError(std::string(local) + " does not go with --global: it is for smoothing edge by edge");
   if (smoother_ == nullptr)
-    throw UsageError("--global: this smoothcurves was built without the global smoother (PLIANT_CERES=OFF)");
+    throw UsageError(
+        "--global: this program was built without the global smoother: smoothcurves has it, unless it was built with "
+        "PLIANT_CERES=OFF; the other programs that run smoothcurves as a step do not");
   options_.good = parse_positive("--good", good_);
   if (options_.good > 1) throw UsageError("--good must be at most 1");
 }

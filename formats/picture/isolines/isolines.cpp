@@ -28,9 +28,10 @@ class MeshTracer {
         level_(value - below * std::max(1.0, std::abs(value))),
         tolerance_(tolerance) {}
 
-  IsolineSet trace() {
+  IsolineSet trace(const std::function<bool(TriangleId)>& in_element) {
     IsolineSet set;
     for (TriangleId t = 0; t < static_cast<TriangleId>(mesh_.triangle_faces.size()); ++t) {
+      if (in_element && !in_element(t)) continue;
       ElementToTrace element{mesh_.degree, {}, polynomial_.degree(), polynomial_.on_element(t), {}, {}};
       for (double& coefficient : element.field) coefficient -= level_;
       if (has_one_sign(element.field)) continue;
@@ -130,8 +131,8 @@ class MeshTracer {
 }  // namespace
 
 IsolineSet trace_isoline(const MeshData& mesh, const MeshEdges& edges, FieldPolynomial& polynomial, double value,
-                         double tolerance) {
-  return MeshTracer(mesh, edges, polynomial, value, tolerance).trace();
+                         double tolerance, const std::function<bool(TriangleId)>& in_element) {
+  return MeshTracer(mesh, edges, polynomial, value, tolerance).trace(in_element);
 }
 
 }  // namespace pliant

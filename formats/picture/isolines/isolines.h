@@ -1,5 +1,6 @@
 // formats/picture/isolines/isolines.h: curves on which a field has one value, across the elements of a mesh.
 #pragma once
+#include <functional>
 #include <vector>
 
 #include "formats/picture/field_polynomial.h"
@@ -27,9 +28,12 @@ struct IsolineSet {
 /// direction, or to differ from the value everywhere, so no part of it is missed and parts are joined as they belong.
 /// Ends on an edge are the zeros of the field on the edge, computed once for both sides.
 ///
+/// `in_element` tells whether an element is looked at; lines end where they would go on in another. All are, without
+/// it.
+///
 /// Units       `tolerance` is a length: how far the curves may be from the isoline (arc.h says how it is checked)
 /// Requires    M1 and M2; elements need not be valid
 IsolineSet trace_isoline(const MeshData& mesh, const MeshEdges& edges, FieldPolynomial& polynomial, double value,
-                         double tolerance);
+                         double tolerance, const std::function<bool(TriangleId)>& in_element = {});
 
 }  // namespace pliant

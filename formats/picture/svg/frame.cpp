@@ -15,6 +15,7 @@ constexpr double title_font = 16, title_line = 20, font = 12, tick_font = 11, ti
 constexpr double bottom_axis = 40;  // ticks, their labels and the name of the axis below the drawing
 constexpr double key_row = 24, key_gap = 24;
 constexpr double least_drawn = 0.35, least_pixels = 60;  // of the width, and at least so many, or something is left out
+constexpr int most_labels = 1000;                        // at an axis, however tall the picture is
 constexpr double least_key_width = 100;                  // of the room for keys
 
 std::string group(std::string_view name, const Theme& theme, double size) {
@@ -118,7 +119,8 @@ std::vector<Frame::Tick> Frame::x_ticks() const {
 std::vector<Frame::Tick> Frame::y_ticks() const {
   const ValueRange range{placement_.in_document(box_.low).y, placement_.in_document(box_.high).y};
   std::vector<Tick> result;
-  const std::vector<double> values = ticks(range, std::max(1, static_cast<int>(drawn_height_ / 40)));
+  const std::vector<double> values =
+      ticks(range, static_cast<int>(std::clamp(drawn_height_ / 40, 1.0, double(most_labels))));
   const std::vector<std::string> labels = tick_labels(values);
   for (std::size_t k = 0; k < values.size(); ++k) {
     const double at = drawn_height_ * (1 - std::clamp(range.place(values[k]), 0.0, 1.0));

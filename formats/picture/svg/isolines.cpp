@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "formats/picture/isolines/isolines.h"
+#include "formats/picture/mesh_edges.h"
 #include "formats/picture/svg/shown_parts.h"
 #include "formats/picture/svg/text.h"
 
@@ -70,11 +71,15 @@ Key draw_isolines(const Drawing& drawing, const IsolineRequest& request, std::si
 
   FieldPolynomial polynomial(drawing.mesh, *field);
   const double tolerance = drawing.options.tolerance * bounding_box(drawing.mesh).size();
+  std::vector<bool> shown;
+  for (TriangleId t = 0; t < static_cast<TriangleId>(drawing.mesh.triangle_faces.size()); ++t)
+    shown.push_back(is_shown(drawing, element_net(drawing.mesh, t)));
+  const auto in_element = [&shown](TriangleId t) { return shown[static_cast<std::size_t>(t)]; };
   out += "<g class=\"isolines\" fill=\"none\" stroke-linejoin=\"round\" stroke-linecap=\"round\">\n";
   for (std::size_t k = 0; k < values.size(); ++k) {
     const double value = polynomial.from_field(values[k]);
     if (!std::isfinite(value)) continue;
-    const IsolineSet set = trace_isoline(drawing.mesh, drawing.edges, polynomial, value, tolerance);
+    const IsolineSet set = trace_isoline(drawing.mesh, drawing.edges, polynomial, value, tolerance, in_element);
     if (set.lines.empty()) continue;
     const std::string id = "isoline" + std::to_string(number) + "-" + std::to_string(k);
     out += "<defs><path id=\"" + id + "\" class=\"isoline\" data-value=\"" + exact_number(values[k]) + "\" d=\"";

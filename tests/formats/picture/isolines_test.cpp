@@ -66,8 +66,8 @@ struct Traced {
         edges(find_edges(mesh)),
         values(mesh, {ColorBy::Kind::field, field}),
         polynomial(mesh, values) {}
-  IsolineSet at(double value) {
-    return trace_isoline(mesh, edges, polynomial, polynomial.from_field(value), tolerance);
+  IsolineSet at(double value, const std::function<bool(TriangleId)>& in_element = {}) {
+    return trace_isoline(mesh, edges, polynomial, polynomial.from_field(value), tolerance, in_element);
   }
 };
 
@@ -77,8 +77,7 @@ std::vector<Point> points_of(const IsolineSet& set, int n) {
   for (const Isoline& line : set.lines)
     for (const std::vector<Point>& curve : line.curves)
       for (int k = 0; k <= n; ++k) {
-        std::vector<double> rows;
-        for (const Point& p : curve) rows.insert(rows.end(), {p.x, p.y});
+        const std::vector<double> rows = rows_of(curve);
         std::array<double, 2> at{};
         evaluate_polygon(static_cast<int>(curve.size()) - 1, 2, rows, double(k) / n, at);
         points.push_back({at[0], at[1]});
@@ -121,6 +120,21 @@ TEST_CASE("isolines of x² + y² are closed circles within the stated error", "[
   for (const Point& p : points_of(set, 16)) most = std::max(most, std::abs(std::hypot(p.x, p.y) - radius));
   CHECK(most <= tolerance);
   CHECK(length_of(set) == Approx(2 * std::numbers::pi * radius).epsilon(1e-3));
+}
+
+TEST_CASE("isolines in some elements and in the others are together those of all", "[formats][isolines]") {
+  MeshData mesh = square(GENERATE(2, 5), 4);
+  add_quadratic(mesh, 1, 0, 1);
+  Traced traced(mesh, "q");
+  double together = 0;
+  for (const int part : {0, 1}) {
+    const IsolineSet some = traced.at(0.25, [part](TriangleId t) { return t % 2 == part; });
+    check_joined(some);
+    CHECK(some.lines.size() > 1);
+    together += length_of(some);
+  }
+  CHECK(together == Approx(length_of(traced.at(0.25))).epsilon(1e-9));
+  CHECK(traced.at(0.25, [](TriangleId) { return false; }).lines.empty());
 }
 
 TEST_CASE("on curved elements the isolines of x are straight, from boundary to boundary", "[formats][isolines]") {

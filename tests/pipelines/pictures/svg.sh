@@ -73,6 +73,11 @@ refuses 'pictures are svg, png or pdf, not jpg' -o a.JPG
 refuses 'is wider than' --box=-1e308,-1e308,1e308,1e308
 refuses 'is wider than' --circle 1.7e308,0,1e308
 refuses 'pixels high' --box=0,0,1,1e9
+refuses 'pixels high' --axes --box=0,0,1,1e9
+
+# However tall a picture is, its axis has a thousand labels or so.
+run 0 export-svg --color none --axes --box=-1,-4000,1,4000 disk.json
+[ "$(wc -c <out)" -lt 1000000 ] || fail "the axis of a tall picture takes $(wc -c <out) bytes"
 
 # What lies outside of the box is not in the picture, so that one from near takes no longer.
 run 0 export-svg --color face --isolines u=5 --box 0.1,0.1,0.11,0.11 disk.json
